@@ -1,0 +1,36 @@
+/**
+ * The particles as they are stored: one typed array a quantity, one slot a particle. A slot keeps its number for the
+ * life of its particle. Read and write the numbers freely; bind the arrays afresh after adding particles, since growth
+ * replaces them.
+ */
+export interface ParticleArrays {
+  /** Slots to look at: 0 to `count - 1`. A free slot among them has `alive` 0, no mass to move and no velocity. */
+  readonly count: number;
+  /** 1 where a particle lives, 0 where the slot is free. Written by the world alone. */
+  readonly alive: Uint8Array;
+  /** Position. Unit: m. */
+  readonly x: Float64Array;
+  readonly y: Float64Array;
+  /** Position before the last step, for drawing between two steps. Unit: m. */
+  readonly previousX: Float64Array;
+  readonly previousY: Float64Array;
+  /** Velocity. Unit: m/s. */
+  readonly vx: Float64Array;
+  readonly vy: Float64Array;
+  /** Force accumulator: the sum of the forces on the particle, cleared by each step. Unit: N. */
+  readonly fx: Float64Array;
+  readonly fy: Float64Array;
+  /** Constant acceleration, on top of the world's gravity. Unit: m/s². */
+  readonly ax: Float64Array;
+  readonly ay: Float64Array;
+  /** One over the mass; 0 is an infinite mass, which no force or impulse moves. Unit: 1/kg. */
+  readonly inverseMass: Float64Array;
+  /** Share of the velocity kept per second, 0 to 1. */
+  readonly damping: Float64Array;
+  /** Radius of the disc that is drawn and collides; 0 is a point. Unit: m. */
+  readonly radius: Float64Array;
+  /** Time left until the world removes the particle; `Infinity` for ever. Set it by the handle. Unit: s. */
+  readonly lifetime: Float64Array;
+  /** A number of the game's own, 0 to 65535: styles choose by it, the physics never reads it. */
+  readonly group: Uint16Array;
+}
