@@ -1,0 +1,29 @@
+import { defineConfig } from 'playwright/test';
+import { browserArgs } from './scripts/browser.ts';
+
+// The global setup builds the gallery, serves it and finds the browser; workers read both from the environment.
+const { MASS_GALLERY_URL: baseURL, MASS_BROWSER: executablePath } = process.env;
+
+export default defineConfig({
+  testDir: '.',
+  testMatch: '{packages,apps}/*/e2e/**/*.e2e.ts',
+  globalSetup: './scripts/playwright-setup.ts',
+  outputDir: './test-results',
+  fullyParallel: true,
+  forbidOnly: Boolean(process.env.CI),
+  retries: 0,
+  // WebGL is drawn by the processor here: it is slow, and more workers than cores would starve each other.
+  workers: 2,
+  timeout: 120_000,
+  expect: { timeout: 20_000 },
+  reporter: [['list']],
+  use: {
+    ...(baseURL && { baseURL: `${baseURL}/` }),
+    browserName: 'chromium',
+    headless: true,
+    viewport: { width: 1280, height: 800 },
+    screenshot: 'only-on-failure',
+    trace: 'retain-on-failure',
+    launchOptions: { args: [...browserArgs], ...(executablePath && { executablePath }) },
+  },
+});
