@@ -1,0 +1,13 @@
+/** What every renderer needs and no physics does. */
+export { Bindings } from './bindings.ts';
+export type { Bounds } from './bounds.ts';
+export { Camera, type CameraOptions } from './camera.ts';
+export { DrawList } from './draw-list.ts';
+export { interpolate } from './interpolate.ts';
+export { type Paint, type TrailPaint, trailLevels } from './paint.ts';
+export { defaultParticleStyle, Palette } from './palette.ts';
+export { pickParticle } from './pick.ts';
+export type { Renderer } from './renderer.ts';
+export type { Color, ParticleStyle, SpeedRamp, Style, TrailStyle } from './style.ts';
+export { Trails } from './trails.ts';
+export type { ViewedWorld } from './viewed-world.ts';

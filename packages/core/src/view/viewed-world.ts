@@ -1,0 +1,4 @@
+import type { World } from '../world/world.ts';
+
+/** What a renderer reads of a world; it writes nothing. */
+export type ViewedWorld = Pick<World, 'particles' | 'time' | 'particleAt' | 'generationAt'>;
