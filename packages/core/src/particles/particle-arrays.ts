@@ -11,7 +11,7 @@ export interface ParticleArrays {
   /** Position. Unit: m. */
   readonly x: Float64Array;
   readonly y: Float64Array;
-  /** Position before the last step, for drawing between two steps. Unit: m. */
+  /** Position before the last step, for drawing between two steps. Bind these two afresh after each step. Unit: m. */
   readonly previousX: Float64Array;
   readonly previousY: Float64Array;
   /** Velocity. Unit: m/s. */
@@ -23,7 +23,8 @@ export interface ParticleArrays {
   /** Constant acceleration, on top of the world's gravity. Unit: m/s². */
   readonly ax: Float64Array;
   readonly ay: Float64Array;
-  /** One over the mass; 0 is an infinite mass, which no force or impulse moves. Unit: 1/kg. */
+  /** Mass, and one over it. An infinite mass has the inverse 0: no force or impulse moves it. Unit: kg, 1/kg. */
+  readonly mass: Float64Array;
   readonly inverseMass: Float64Array;
   /** Share of the velocity kept per second, 0 to 1. */
   readonly damping: Float64Array;

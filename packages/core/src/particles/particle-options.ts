@@ -1,3 +1,6 @@
+import { describe, requireFinite, requireInteger, requireNonNegative, requirePositiveOrInfinite, requireShare } from '../math/checks.ts';
+import type { ParticleStore } from './particle-store.ts';
+
 /** What a new particle is made of. Only the position is asked for; all else has a default. */
 export interface ParticleOptions {
   /** Position. Unit: m. */
@@ -19,4 +22,40 @@ export interface ParticleOptions {
   lifetime?: number;
   /** A number of the game's own, 0 to 65535, for styles. @default 0 */
   group?: number;
+}
+
+const MASS_MEND = 'Use Infinity to pin the particle.';
+
+/** Throws the error that says what is wrong with the options, if anything is. */
+export function checkParticleOptions(where: string, options: ParticleOptions): void {
+  if (typeof options !== 'object' || options === null) {
+    throw new TypeError(`${where}: options must be an object such as { x: 0, y: 0 }; got ${describe(options)}.`);
+  }
+  const { vx = 0, vy = 0, ax = 0, ay = 0, mass = 1, damping = 1, radius = 0, lifetime = Infinity, group = 0 } = options;
+  requireFinite(where, 'x', options.x, 'metres');
+  requireFinite(where, 'y', options.y, 'metres');
+  requireFinite(where, 'vx', vx, 'metres per second');
+  requireFinite(where, 'vy', vy, 'metres per second');
+  requireFinite(where, 'ax', ax, 'metres per second squared');
+  requireFinite(where, 'ay', ay, 'metres per second squared');
+  requirePositiveOrInfinite(where, 'mass', mass, 'kilograms', MASS_MEND);
+  requireShare(where, 'damping', damping, '1 keeps all of the velocity.');
+  requireNonNegative(where, 'radius', radius, 'metres');
+  requirePositiveOrInfinite(where, 'lifetime', lifetime, 'seconds', 'Leave it out for a particle that stays.');
+  requireInteger(where, 'group', group, 0, 65535);
+}
+
+/** Writes checked options to a slot that holds defaults. */
+export function writeParticle(store: ParticleStore, slot: number, options: ParticleOptions): void {
+  const { vx = 0, vy = 0, ax = 0, ay = 0, mass = 1, damping = 1, radius = 0, lifetime = Infinity, group = 0 } = options;
+  store.vx[slot] = vx;
+  store.vy[slot] = vy;
+  store.ax[slot] = ax;
+  store.ay[slot] = ay;
+  store.mass[slot] = mass;
+  store.inverseMass[slot] = 1 / mass;
+  store.damping[slot] = damping;
+  store.radius[slot] = radius;
+  store.group[slot] = group;
+  store.setLifetime(slot, lifetime);
 }

@@ -1,0 +1,86 @@
+import type { Particle } from '../particles/particle.ts';
+import type { ParticleStore } from '../particles/particle-store.ts';
+import type { ForceGenerator } from './force-generator.ts';
+import { AllTargets, ChosenTargets } from './target-list.ts';
+
+/** Which generator acts on which particles. Generators run in the order in which they were first added. */
+export class ForceRegistry {
+  readonly #store: ParticleStore;
+  readonly #everyone: AllTargets;
+  readonly #targets = new Map<ForceGenerator, AllTargets | ChosenTargets>();
+  #generators: ForceGenerator[] = [];
+
+  constructor(store: ParticleStore) {
+    this.#store = store;
+    this.#everyone = new AllTargets(store);
+  }
+
+  /** Adds particles to those that a generator acts on; without a list it acts on all, those to come included. */
+  add(generator: ForceGenerator, particles?: Iterable<Particle>): void {
+    let targets = this.#targets.get(generator);
+    if (particles === undefined) {
+      targets = this.#everyone;
+    } else {
+      targets ??= new ChosenTargets(this.#store);
+      if (targets instanceof ChosenTargets) for (const particle of particles) targets.add(particle);
+    }
+    this.#targets.set(generator, targets);
+    this.#generators = [...this.#targets.keys()];
+  }
+
+  has(generator: ForceGenerator): boolean {
+    return this.#targets.has(generator);
+  }
+
+  /** Whether the generator acts on all particles, not on chosen ones. */
+  actsOnAll(generator: ForceGenerator): boolean {
+    return this.#targets.get(generator) === this.#everyone;
+  }
+
+  /** Frees particles of a generator, or takes it out where none are named. */
+  remove(generator: ForceGenerator, particles?: Iterable<Particle>): void {
+    const targets = this.#targets.get(generator);
+    if (particles === undefined) {
+      this.#targets.delete(generator);
+      this.#generators = [...this.#targets.keys()];
+    } else if (targets instanceof ChosenTargets) {
+      for (const particle of particles) targets.delete(particle);
+    }
+  }
+
+  /** Runs every generator. Reads what they read. Adds to fx, fy. */
+  apply(dt: number): void {
+    const generators = this.#generators;
+    for (let g = 0; g < generators.length; g++) this.#applyOne(generators[g], dt);
+  }
+
+  /**
+   * Finds, after a step that failed, the generator that gives a force which is not finite, by running each again on its
+   * own. The accumulators are left as they were found.
+   */
+  findNonFinite(dt: number): { generator: ForceGenerator; slot: number; fx: number; fy: number } | undefined {
+    const { fx, fy, count } = this.#store;
+    const keptX = fx.slice();
+    const keptY = fy.slice();
+    try {
+      for (const generator of this.#generators) {
+        fx.fill(0);
+        fy.fill(0);
+        this.#applyOne(generator, dt);
+        for (let slot = 0; slot < count; slot++) {
+          if (!Number.isFinite(fx[slot] + fy[slot])) return { generator, slot, fx: fx[slot], fy: fy[slot] };
+        }
+      }
+      return undefined;
+    } finally {
+      fx.set(keptX);
+      fy.set(keptY);
+    }
+  }
+
+  #applyOne(generator: ForceGenerator, dt: number): void {
+    const targets = this.#targets.get(generator) ?? this.#everyone;
+    targets.refresh();
+    generator.apply(this.#store, targets, dt);
+  }
+}

@@ -1,0 +1,65 @@
+/**
+ * Logarithm, exponential and power from exactly specified arithmetic alone (+ - * / and bit patterns), so that every
+ * JavaScript engine gives the same bits. ECMAScript leaves the last bits of `Math.log`, `Math.exp` and `Math.pow` to the
+ * engine, which is why a step cannot use them.
+ *
+ * The reductions are the classical ones: a number is m·2^e with m near 1; ln m = 2·artanh((m - 1) / (m + 1)) as a series;
+ * e^y = 2^k·e^r with |r| <= ln 2 / 2, and e^r as its Taylor series. ln 2 is split in two, so that k times its upper part
+ * has no rounding error (W. J. Cody, W. Waite, *Software Manual for the Elementary Functions*, 1980).
+ */
+
+const LN2_HIGH = 6.93147180369123816490e-1; // the upper 33 bits of ln 2
+const LN2_LOW = 1.90821492927058770002e-10; // ln 2 less its upper part
+const SQRT2 = 1.4142135623730951;
+
+const bits = new DataView(new ArrayBuffer(8));
+
+/** 2 to the power of a whole number from -1022 to 1023. */
+function powerOfTwo(exponent: number): number {
+  bits.setUint32(0, (exponent + 1023) << 20);
+  bits.setUint32(4, 0);
+  return bits.getFloat64(0);
+}
+
+/** Natural logarithm of a finite number >= 0; ln 0 is -Infinity. Within 1 unit in the last place. */
+export function log(value: number): number {
+  if (value === 0) return -Infinity;
+  const subnormal = value < 2.2250738585072014e-308;
+  bits.setFloat64(0, subnormal ? value * 18014398509481984 : value);
+  const high = bits.getUint32(0);
+  let exponent = (high >>> 20) - (subnormal ? 1077 : 1023);
+  bits.setUint32(0, (high & 0x000fffff) | 0x3ff00000);
+  let mantissa = bits.getFloat64(0); // 1 <= mantissa < 2
+  if (mantissa > SQRT2) {
+    mantissa /= 2;
+    exponent += 1;
+  }
+  const s = (mantissa - 1) / (mantissa + 1);
+  const q = s * s; // at most 0.0295: eleven terms reach the last bit
+  let series = 1 / 23;
+  for (let odd = 21; odd >= 3; odd -= 2) series = series * q + 1 / odd;
+  return exponent * LN2_HIGH + (2 * s + (2 * s * q * series + exponent * LN2_LOW));
+}
+
+/** e to the power of a finite number; 0 when too small to be a number, Infinity when too large. */
+export function exp(value: number): number {
+  if (value > 709.782712893384) return Infinity;
+  if (value < -745.1332191019412) return 0;
+  const k = Math.floor(value / (LN2_HIGH + LN2_LOW) + 0.5);
+  const r = value - k * LN2_HIGH - k * LN2_LOW;
+  let series = 1;
+  for (let n = 14; n >= 1; n--) series = 1 + (r / n) * series;
+  if (k > 1023) return series * 2 * powerOfTwo(k - 1);
+  if (k < -1022) return series * powerOfTwo(k + 54) * powerOfTwo(-54);
+  return series * powerOfTwo(k);
+}
+
+/**
+ * `base` to the power of `exponent`, for `base` >= 0. Anything to the power 0 is 1, and so is 0 to the power 0.
+ * The relative error is about |exponent·ln base| units in the last place, and never less than one.
+ */
+export function pow(base: number, exponent: number): number {
+  if (exponent === 0 || base === 1) return 1;
+  if (base === 0) return exponent > 0 ? 0 : Infinity;
+  return exp(exponent * log(base));
+}

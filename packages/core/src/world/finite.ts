@@ -1,0 +1,36 @@
+import type { ForceRegistry } from '../forces/force-registry.ts';
+import type { ParticleArrays } from '../particles/particle-arrays.ts';
+
+/** Whether every position and velocity is a finite number. Reads x, y, vx, vy. Writes nothing. */
+export function allFinite({ count, x, y, vx, vy }: ParticleArrays): boolean {
+  let sum = 0;
+  for (let i = 0; i < count; i++) {
+    const each = x[i] + y[i] + vx[i] + vy[i];
+    sum += each - each; // 0 when finite, NaN otherwise, and NaN stays
+  }
+  return sum === 0;
+}
+
+/** The error that names the first particle that is not finite. */
+export function nonFiniteError({ count, x, y, vx, vy }: ParticleArrays): Error {
+  for (let i = 0; i < count; i++) {
+    if (Number.isFinite(x[i] + y[i] + vx[i] + vy[i])) continue;
+    return new RangeError(
+      `World.step: positions and velocities must stay finite; particle ${i} came to (${x[i]}, ${y[i]}) m ` +
+        `at (${vx[i]}, ${vy[i]}) m/s. The step was undone: look at what was written to its numbers, at forces that are ` +
+        'too strong for the step, or take shorter steps.',
+    );
+  }
+  return new RangeError('World.step: positions and velocities must stay finite; they did not. The step was undone.');
+}
+
+/** The error that names the force generator whose force is not finite, if there is one. Runs the generators again. */
+export function nonFiniteForceError(forces: ForceRegistry, dt: number): Error | undefined {
+  const found = forces.findNonFinite(dt);
+  if (found === undefined) return undefined;
+  return new RangeError(
+    `World.step: a force must be a finite number of newtons; ${found.generator.constructor.name} gave ` +
+      `(${found.fx}, ${found.fy}) to particle ${found.slot}. The step was undone: mend the generator, or take it out with ` +
+      'world.removeForce.',
+  );
+}
