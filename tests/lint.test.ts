@@ -1,0 +1,103 @@
+// The rules that keep the layers apart and the arithmetic exact are only worth something if they fail when they should.
+import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { afterAll, beforeAll, expect, it } from 'vitest';
+import { root, runBin } from '../scripts/run.ts';
+
+const workspace = mkdtempSync(join(tmpdir(), 'mass-lint-'));
+
+beforeAll(() => {
+  for (const file of [
+    'biome.json',
+    '.gitignore',
+    'lint',
+    'packages/core/package.json',
+    'packages/canvas2d/package.json',
+  ]) {
+    cpSync(join(root, file), join(workspace, file), { recursive: true });
+  }
+});
+
+afterAll(() => rmSync(workspace, { recursive: true, force: true }));
+
+/** The diagnostics for one file of source, with other files beside it. */
+async function lint(files: Record<string, string>): Promise<string> {
+  for (const [file, text] of Object.entries(files)) {
+    mkdirSync(dirname(join(workspace, file)), { recursive: true });
+    writeFileSync(join(workspace, file), text);
+  }
+  const { output } = await runBin('@biomejs/biome', ['lint', ...Object.keys(files)], { cwd: workspace, quiet: true });
+  return output;
+}
+
+const inexact = [
+  'sin',
+  'cos',
+  'tan',
+  'atan2',
+  'asin',
+  'acos',
+  'exp',
+  'log',
+  'log2',
+  'log10',
+  'pow',
+  'hypot',
+  'cbrt',
+  'random',
+];
+
+it.each(inexact)('the step cannot call Math.%s', async (name) => {
+  const file = 'packages/core/src/forces/inexact.ts';
+  expect(await lint({ [file]: `export const f = (x: number): number => Math.${name}(x, x);\n` })).toContain(
+    'lint/nursery/noJsRestrictedProperties',
+  );
+});
+
+it('the step cannot take a function out of Math', async () => {
+  const output = await lint({ 'packages/core/src/world/inexact.ts': 'const { sin } = Math;\nexport const f = sin;\n' });
+  expect(output).toContain('lint/nursery/noJsRestrictedProperties');
+});
+
+it.each(['x ** 2', '(x * x) ** 0.5', '(x **= 2)'])('the step cannot use %s', async (power) => {
+  const output = await lint({
+    'packages/core/src/forces/power.ts': `export const f = (x: number): number => ${power};\n`,
+  });
+  expect(output).toContain('The last bit of a power is left to the engine');
+});
+
+it.each(['Date', 'performance'])('the step cannot read %s', async (clock) => {
+  const output = await lint({ 'packages/core/src/world/clock.ts': `export const f = (): number => ${clock}.now();\n` });
+  expect(output).toContain('lint/style/noRestrictedGlobals');
+});
+
+it('the view may use what drawing needs', async () => {
+  const output = await lint({
+    'packages/core/src/view/angle.ts': 'export const f = (x: number): number => Math.sin(x) ** 2;\n',
+  });
+  expect(output).toContain('No fixes applied');
+  expect(output).not.toContain('━');
+});
+
+it('an import cycle is an error, type imports counted', async () => {
+  const output = await lint({
+    'packages/core/src/math/a.ts': "import type { B } from './b.ts';\nexport type A = B | 1;\n",
+    'packages/core/src/math/b.ts': "import type { A } from './a.ts';\nexport type B = A | 2;\n",
+  });
+  expect(output).toContain('lint/suspicious/noImportCycles');
+});
+
+it.each([
+  ['packages/core/src/world/up.ts', '@mass/canvas2d'],
+  ['packages/core/src/world/outside.ts', 'some-package'],
+  ['packages/core/src/world/node.ts', 'node:fs'],
+  ['packages/core/src/world/view.ts', '../view/camera.ts'],
+  ['packages/core/src/math/up.ts', '../particles/particle.ts'],
+  ['packages/core/src/forces/up.ts', '../world/world.ts'],
+  ['packages/canvas2d/src/sideways.ts', '@mass/pixi'],
+  ['packages/canvas2d/src/deep.ts', '../../core/src/world/world.ts'],
+])('%s cannot import %s', async (file, specifier) => {
+  const output = await lint({ [file]: `import { something } from '${specifier}';\nexport const other = something;\n` });
+  expect(output).toContain('lint/style/noRestrictedImports');
+});
