@@ -47,5 +47,5 @@ function checkRamp(where: string, { from, to, colors }: SpeedRamp): void {
   if (!Array.isArray(colors) || colors.length < 2) {
     throw new RangeError(`${where}: colors must be two colours or more; got ${describe(colors)}.`);
   }
-  colors.forEach((color, i) => parseColor(`${where}.colors[${i}]`, color));
+  for (const [i, color] of colors.entries()) parseColor(`${where}.colors[${i}]`, color);
 }

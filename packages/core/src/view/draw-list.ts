@@ -11,16 +11,16 @@ import type { ViewedWorld } from './viewed-world.ts';
  */
 export class DrawList {
   /** Screen position by slot, of every living particle. Unit: CSS px. */
-  x = new Float64Array(0);
-  y = new Float64Array(0);
+  x: Float64Array = new Float64Array(0);
+  y: Float64Array = new Float64Array(0);
   /** Outer radius by slot, an outline included, for the slots in `order`. Unit: CSS px. */
-  radius = new Float64Array(0);
+  radius: Float64Array = new Float64Array(0);
   /** Class by slot, as the palette has it. */
-  classes = new Uint16Array(0);
+  classes: Uint16Array = new Uint16Array(0);
   /** Slots to draw, first to last. */
-  order = new Uint32Array(0);
+  order: Uint32Array = new Uint32Array(0);
   /** Where in `order` each paint starts; one entry more than there are paints. */
-  starts = new Uint32Array(0);
+  starts: Uint32Array = new Uint32Array(0);
   #paints = new Uint32Array(0);
 
   /** Looks at the world again. `hidden` is 1 for slots whose disc is not drawn. Discs outside the view are left out. */

@@ -45,9 +45,9 @@ export class Palette {
       .sort((a, b) => a - b);
     const base: ParticleStyle = { ...defaultParticleStyle, ...particle };
     this.#styles = [base, ...keys.map((key) => ({ ...base, ...groups[key] }))];
-    this.#styles.forEach((each, c) =>
-      checkParticleStyle(`Style: ${c === 0 ? 'particle' : `groups[${keys[c - 1]}]`}`, each),
-    );
+    for (const [c, each] of this.#styles.entries()) {
+      checkParticleStyle(`Style: ${c === 0 ? 'particle' : `groups[${keys[c - 1]}]`}`, each);
+    }
     this.#classOfGroup = new Uint16Array((keys.at(-1) ?? -1) + 1);
     keys.forEach((key, i) => {
       this.#classOfGroup[key] = i + 1;

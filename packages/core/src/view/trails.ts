@@ -14,10 +14,10 @@ export class Trails {
   /** Points a slot. */
   readonly capacity: number;
   /** Past positions, `slot * capacity + ring`. Unit: m. */
-  x = new Float32Array(0);
-  y = new Float32Array(0);
+  x: Float32Array = new Float32Array(0);
+  y: Float32Array = new Float32Array(0);
   /** How many points each slot has. */
-  length = new Uint16Array(0);
+  length: Uint16Array = new Uint16Array(0);
   /**
    * Per class, `trailLevels + 1` numbers: the segments at level l are those from `ranges[l]` on and before `ranges[l + 1]`.
    * Newer segments have lower levels.
@@ -115,8 +115,10 @@ export class Trails {
   /** By the age of the newer end of each segment: which level it is drawn at. All slots share the times. */
   #level(time: number): void {
     const { ranges, capacity, head } = this;
-    this.#palette.trails.forEach((trail, c) => {
-      if (trail === null) return;
+    const { trails } = this.#palette;
+    for (let c = 0; c < trails.length; c++) {
+      const trail = trails[c];
+      if (trail === null) continue;
       const first = c * (trailLevels + 1);
       let k = 0;
       for (let level = 0; level <= trailLevels; level++) {
@@ -124,7 +126,7 @@ export class Trails {
         const until = (trail.seconds * (level + 1)) / trailLevels;
         while (level < trailLevels && k < this.#samples && this.#age(k, time, head, capacity) < until) k++;
       }
-    });
+    }
   }
 
   #age(k: number, time: number, head: number, capacity: number): number {
