@@ -27,7 +27,7 @@ export class Trails {
   head = 0;
   readonly #palette: Palette;
   readonly #interval: number;
-  readonly #times: Float64Array;
+  #times: Float64Array;
   #generations = new Uint32Array(0);
   #world: ViewedWorld | null = null;
   #time = 0;
@@ -46,6 +46,22 @@ export class Trails {
     this.#interval = Math.max(interval, longest / mostPoints);
     this.#times = new Float64Array(this.capacity);
     this.ranges = new Uint16Array(palette.trails.length * (trailLevels + 1));
+  }
+
+  /** Trails under another palette, with the positions so far where they fit it. */
+  withPalette(palette: Palette): Trails {
+    const next = new Trails(palette);
+    if (next.capacity !== this.capacity || next.#interval !== this.#interval) return next;
+    next.x = this.x;
+    next.y = this.y;
+    next.length = this.length;
+    next.head = this.head;
+    next.#times = this.#times;
+    next.#generations = this.#generations;
+    next.#world = this.#world;
+    next.#time = this.#time;
+    next.#samples = this.#samples;
+    return next;
   }
 
   /** Forgets every position. */

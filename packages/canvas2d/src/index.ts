@@ -1,0 +1,1 @@
+export { type CanvasDrawing, CanvasRenderer, type CanvasRendererOptions, type CanvasTarget } from './canvas-renderer.ts';
