@@ -95,6 +95,7 @@ it.each([
   ['packages/core/src/world/view.ts', '../view/camera.ts'],
   ['packages/core/src/math/up.ts', '../particles/particle.ts'],
   ['packages/core/src/forces/up.ts', '../world/world.ts'],
+  ['packages/core/src/effects/up.ts', '../world/world.ts'],
   ['packages/canvas2d/src/sideways.ts', '@mass/pixi'],
   ['packages/canvas2d/src/deep.ts', '../../core/src/world/world.ts'],
 ])('%s cannot import %s', async (file, specifier) => {
