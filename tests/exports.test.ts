@@ -1,4 +1,4 @@
-// What a package exports says what it is. Biome has no rule for it yet.
+// What a package exports says what it is, and is named one by one. Biome has no such rules yet.
 import { globSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, it } from 'vitest';
@@ -34,4 +34,8 @@ it('finds a missing comment', () => {
 
 it.each(files)('%s documents what it exports', (file) => {
   expect(undocumented(readFileSync(join(root, file), 'utf8'))).toEqual([]);
+});
+
+it.each(globSync('packages/*/src/**/index.ts', { cwd: root }).sort())('%s names each export', (file) => {
+  expect(readFileSync(join(root, file), 'utf8')).not.toMatch(/^export \* from/m);
 });
