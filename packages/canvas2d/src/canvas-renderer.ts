@@ -20,13 +20,7 @@ export type CanvasTarget = HTMLCanvasElement | OffscreenCanvas | CanvasContext;
  * A game's own drawing of a particle. Position and radius are in CSS px, y down; what it changes in the context, paths
  * aside, is put back after it.
  */
-export type CanvasDrawing = (
-  context: CanvasContext,
-  x: number,
-  y: number,
-  radius: number,
-  particle: Particle,
-) => void;
+export type CanvasDrawing = (context: CanvasContext, x: number, y: number, radius: number, particle: Particle) => void;
 
 /** How to draw. */
 export interface CanvasRendererOptions {
@@ -163,7 +157,9 @@ function contextOf(target: CanvasTarget): CanvasContext {
 
 function requireSize(where: string, width: number, height: number, pixelRatio: number): void {
   if (!(width >= 0 && width < Infinity && height >= 0 && height < Infinity)) {
-    throw new RangeError(`${where}: width and height must be finite numbers of CSS px, 0 or more; got ${width}, ${height}.`);
+    throw new RangeError(
+      `${where}: width and height must be finite numbers of CSS px, 0 or more; got ${width}, ${height}.`,
+    );
   }
   if (!(pixelRatio > 0 && pixelRatio < Infinity)) {
     throw new RangeError(

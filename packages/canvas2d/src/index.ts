@@ -1,1 +1,6 @@
-export { type CanvasDrawing, CanvasRenderer, type CanvasRendererOptions, type CanvasTarget } from './canvas-renderer.ts';
+export {
+  type CanvasDrawing,
+  CanvasRenderer,
+  type CanvasRendererOptions,
+  type CanvasTarget,
+} from './canvas-renderer.ts';

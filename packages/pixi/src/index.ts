@@ -1,0 +1,1 @@
+export { PixiRenderer, type PixiRendererOptions } from './pixi-renderer.ts';

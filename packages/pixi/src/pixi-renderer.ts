@@ -1,0 +1,170 @@
+import type { Particle } from '@mass/core';
+import {
+  Bindings,
+  type Camera,
+  DrawList,
+  Palette,
+  type Renderer,
+  type Style,
+  Trails,
+  type ViewedWorld,
+} from '@mass/core/view';
+import { Container, type Renderer as PixiSystem, Sprite, Texture } from 'pixi.js';
+import { Atlas } from './atlas.ts';
+import { drawDiscs } from './draw-discs.ts';
+import { drawTrails } from './draw-trails.ts';
+import { QuadBatch } from './quad-batch.ts';
+
+/** How to draw. */
+export interface PixiRendererOptions {
+  /** @default blue discs on a transparent ground */
+  readonly style?: Style;
+  /** The game's pixi renderer: then `resize` resizes it too, and its resolution is the one drawn for. */
+  readonly renderer?: PixiSystem;
+}
+
+/**
+ * Draws a world into a container of the game's own PixiJS application. `render` puts everything in place; the pixels come
+ * when the application renders, by its ticker or by `app.render()`. One unit of the container is one CSS px. All discs,
+ * outlines and trails together are one draw call.
+ */
+export class PixiRenderer implements Renderer<Container> {
+  readonly #root = new Container({ label: 'mass', eventMode: 'passive' });
+  readonly #background = new Sprite({ texture: Texture.WHITE, visible: false, eventMode: 'none' });
+  readonly #layer = new Container({ label: 'mass bound' });
+  readonly #atlas = new Atlas();
+  readonly #batch: QuadBatch = new QuadBatch(this.#atlas.solid);
+  readonly #list = new DrawList();
+  readonly #bindings: Bindings<Container>;
+  readonly #renderer: PixiSystem | undefined;
+  #style: Style;
+  #palette: Palette;
+  #trails: Trails;
+  #size: { width: number; height: number; pixelRatio: number } | null = null;
+  #pixelRatio = 1;
+  #destroyed = false;
+
+  constructor(container: Container, { style = {}, renderer }: PixiRendererOptions = {}) {
+    if (typeof container?.addChild !== 'function') {
+      throw new TypeError(
+        `PixiRenderer: the container must be a PixiJS Container, such as app.stage; got ${container}.`,
+      );
+    }
+    this.#style = style;
+    this.#palette = new Palette(style);
+    this.#trails = new Trails(this.#palette);
+    this.#renderer = renderer;
+    this.#bindings = new Bindings('PixiRenderer', (drawing) => {
+      if (drawing.parent === this.#layer) this.#layer.removeChild(drawing);
+    });
+    this.#root.addChild(this.#background, this.#batch.container, this.#layer);
+    container.addChild(this.#root);
+  }
+
+  get style(): Style {
+    return this.#style;
+  }
+  set style(style: Style) {
+    if (style === this.#style) return;
+    this.#palette = new Palette(style);
+    this.#trails = this.#trails.withPalette(this.#palette);
+    this.#style = style;
+  }
+
+  resize(width: number, height: number, pixelRatio = 1): void {
+    if (!(width >= 0 && width < Infinity && height >= 0 && height < Infinity)) {
+      throw new RangeError(
+        `PixiRenderer.resize: width and height must be finite numbers of CSS px, 0 or more; got ${width}, ${height}.`,
+      );
+    }
+    if (!(pixelRatio > 0 && pixelRatio < Infinity)) {
+      throw new RangeError(
+        `PixiRenderer.resize: pixelRatio must be a positive, finite number of device px per CSS px; got ${pixelRatio}. Use devicePixelRatio.`,
+      );
+    }
+    this.#size = { width, height, pixelRatio };
+  }
+
+  render(world: ViewedWorld, camera: Camera, alpha: number): void {
+    if (this.#destroyed) {
+      throw new Error('PixiRenderer.render: the renderer must not be destroyed; it was. Make a new one.');
+    }
+    const palette = this.#palette;
+    const list = this.#list;
+    const batch = this.#batch;
+    const atlas = this.#atlas;
+    this.#bindings.prune(world.particles);
+    list.update(world, palette, camera, alpha, this.#bindings.bound);
+    this.#applySize();
+    this.#paintBackground(camera);
+    atlas.begin();
+    batch.begin();
+    if (palette.hasTrails) {
+      this.#trails.update(world);
+      drawTrails(batch, atlas, world, list, this.#trails, palette, camera, this.#pixelRatio);
+    }
+    drawDiscs(batch, atlas, list, palette, this.#pixelRatio);
+    batch.end();
+    atlas.end();
+    this.#bindings.forEach(this.#place);
+  }
+
+  /** Draws a sprite, or any other container, where the particle is; its scale, rotation and anchor are the game's. */
+  bind(particle: Particle, drawing: Container): void {
+    if (typeof drawing?.addChild !== 'function') {
+      throw new TypeError(
+        `PixiRenderer.bind: the drawing must be a PixiJS Container or Sprite; got ${typeof drawing}.`,
+      );
+    }
+    this.#bindings.bind(particle, drawing);
+    this.#layer.addChild(drawing);
+  }
+
+  unbind(particle: Particle): void {
+    this.#bindings.unbind(particle);
+  }
+
+  destroy(): void {
+    if (this.#destroyed) return;
+    this.#destroyed = true;
+    this.#bindings.clear();
+    this.#trails.clear();
+    this.#root.removeFromParent();
+    this.#batch.container.removeFromParent();
+    this.#batch.destroy();
+    this.#background.destroy();
+    this.#layer.destroy();
+    this.#root.destroy();
+    this.#atlas.destroy();
+  }
+
+  /** Resizing a renderer empties its canvas, so it waits until there is something new to show. */
+  #applySize(): void {
+    const renderer = this.#renderer;
+    if (this.#size !== null) {
+      const { width, height, pixelRatio } = this.#size;
+      this.#size = null;
+      this.#pixelRatio = pixelRatio;
+      renderer?.resize(width, height, pixelRatio);
+    }
+    if (renderer) this.#pixelRatio = renderer.resolution;
+  }
+
+  #paintBackground({ width, height }: Camera): void {
+    const { background } = this.#style;
+    const sprite = this.#background;
+    sprite.visible = background !== undefined;
+    if (background === undefined) return;
+    sprite.tint = background;
+    sprite.width = width;
+    sprite.height = height;
+  }
+
+  readonly #place = (drawing: Container, particle: Particle): void => {
+    if (drawing.destroyed) {
+      this.#bindings.unbind(particle);
+      return;
+    }
+    drawing.position.set(this.#list.x[particle.slot], this.#list.y[particle.slot]);
+  };
+}
