@@ -6,7 +6,7 @@ const { MASS_GALLERY_URL: baseURL, MASS_BROWSER: executablePath } = process.env;
 
 export default defineConfig({
   testDir: '.',
-  testMatch: '{packages,apps}/*/e2e/**/*.e2e.ts',
+  testMatch: '**/*.e2e.ts',
   globalSetup: './scripts/playwright-setup.ts',
   outputDir: './test-results',
   fullyParallel: true,
