@@ -26,10 +26,10 @@ export interface RunOptions {
   readonly quiet?: boolean;
 }
 
-/** Runs a program to its end. With `quiet` its output is kept instead of shown. */
+/** Runs a program to its end; one that cannot be started ends with 127. With `quiet` its output is kept instead of shown. */
 export function run(command: string, args: readonly string[], options: RunOptions = {}): Promise<Ended> {
   const { env = {}, cwd = root, quiet = false } = options;
-  return new Promise((resolve, reject) => {
+  return new Promise((resolve) => {
     const child = spawn(command, args, {
       cwd,
       env: { ...process.env, ...env },
@@ -41,7 +41,7 @@ export function run(command: string, args: readonly string[], options: RunOption
     };
     child.stdout?.on('data', keep);
     child.stderr?.on('data', keep);
-    child.on('error', reject);
+    child.on('error', (error) => resolve({ code: 127, output: error.message }));
     child.on('close', (code, signal) =>
       resolve({ code: code ?? 1, output: signal ? `${output}\nended by ${signal}` : output }),
     );
