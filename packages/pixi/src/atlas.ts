@@ -3,8 +3,10 @@ import { bakeLine, bakeRing } from './bake.ts';
 
 /** Sizes in each doubling of the radius: a shape is never scaled by more than 4.5 %, so its edge stays as sharp as baked. */
 const sizesPerOctave = 8;
-const smallestSize = -8; // half a pixel
-const largestSize = 72; // 512 pixels; what is larger is scaled up, and its edge softens
+const smallestSize = -8; // a radius of half a texture pixel
+const largestSize = 72; // 512 of them, half as many on the screen; what is larger is scaled up, and its edge softens
+/** Texture pixels to a device pixel: at 1 the soft edge as baked and the one of sampling would add up to a blur. */
+const oversampling = 2;
 const gap = 1;
 const discs = 0;
 const rings = 1;
@@ -178,11 +180,11 @@ export class Atlas {
 }
 
 function sizeOf(radius: number): number {
-  return Math.min(largestSize, Math.max(smallestSize, Math.round(Math.log2(radius) * sizesPerOctave)));
+  return Math.min(largestSize, Math.max(smallestSize, Math.round(Math.log2(radius * oversampling) * sizesPerOctave)));
 }
 
 function eighthsOf(width: number): number {
-  return Math.min(1023, Math.max(1, Math.round(width * 8)));
+  return Math.min(1023, Math.max(1, Math.round(width * oversampling * 8)));
 }
 
 function makeSource(resource: Uint8Array, extent: number): BufferImageSource {
