@@ -1,0 +1,37 @@
+import type { Stage } from '../stage/stage.ts';
+
+/** Keys that work anywhere on the page, except where somebody types or a button has the focus. */
+export class Keyboard {
+  readonly #stage: Stage;
+  readonly #togglePlaying: () => void;
+
+  constructor(stage: Stage, togglePlaying: () => void) {
+    this.#stage = stage;
+    this.#togglePlaying = togglePlaying;
+    window.addEventListener('keydown', (event) => this.#press(event));
+  }
+
+  #press(event: KeyboardEvent): void {
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+    const target = event.composedPath()[0];
+    if (target instanceof Element && target.matches('input, textarea, select')) return;
+    const run = this.#meaning(event, target);
+    if (!run) return;
+    event.preventDefault();
+    run();
+  }
+
+  #meaning({ key, repeat }: KeyboardEvent, target: EventTarget | undefined): (() => void) | undefined {
+    const stage = this.#stage;
+    const action = stage.setup.actions?.find((candidate) => candidate.key === key);
+    if (action) return () => stage.attempt(action.run);
+    if (key === '.') return () => stage.step();
+    if (repeat) return undefined;
+    if (key === 'r') return () => stage.reset();
+    // On a button, a link or a choice the space bar has a meaning already.
+    const pressable =
+      target instanceof Element && target.closest('button, a, summary, wa-radio, [role="radio"]') !== null;
+    if (key === ' ' && !pressable) return this.#togglePlaying;
+    return undefined;
+  }
+}

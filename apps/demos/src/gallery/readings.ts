@@ -1,0 +1,48 @@
+import type { Readout } from '../scenes/scene.ts';
+import type { Stage } from '../stage/stage.ts';
+import { find } from './find.ts';
+
+/** How often the numbers change: faster cannot be read. Unit: ms. */
+const PERIOD = 250;
+
+/** The numbers under the scene: its own, then how many particles, how fast. */
+export class Readings {
+  readonly #stage: Stage;
+  readonly #list: HTMLElement = find('#statistics');
+  readonly #cells = new Map<string, HTMLElement>();
+
+  constructor(stage: Stage) {
+    this.#stage = stage;
+    this.#show();
+    setInterval(() => this.#show(), PERIOD);
+  }
+
+  #show(): void {
+    const { setup, statistics } = this.#stage;
+    let particles = setup.world.particleCount;
+    for (const { world } of setup.beside ?? []) particles += world.particleCount;
+    const readings: Readout[] = [
+      ...(setup.readouts?.() ?? []),
+      { label: 'time', value: setup.world.time, unit: 's', digits: 1 },
+      { label: 'particles', value: particles, digits: 0 },
+      { label: 'ms a step', value: statistics.stepMs, digits: 2 },
+      { label: 'frames a second', value: statistics.framesPerSecond, digits: 0 },
+    ];
+    for (const reading of readings) this.#write(reading);
+  }
+
+  #write({ label, value, unit, digits = 2 }: Readout): void {
+    let cell = this.#cells.get(label);
+    if (!cell) {
+      const entry = document.createElement('span');
+      entry.className = 'reading';
+      cell = document.createElement('b');
+      entry.append(cell, ` ${unit ? `${unit} ` : ''}${unit ? '' : label}`);
+      if (unit) entry.prepend(`${label} `);
+      this.#list.append(entry);
+      this.#cells.set(label, cell);
+    }
+    const text = value.toFixed(digits);
+    if (cell.textContent !== text) cell.textContent = text;
+  }
+}

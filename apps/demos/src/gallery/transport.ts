@@ -1,0 +1,50 @@
+import type { Action } from '../scenes/scene.ts';
+import type { Stage } from '../stage/stage.ts';
+import { find } from './find.ts';
+
+/** Play, pause, step, reset, and the scene's own actions, each a button with its key on it. */
+export class Transport {
+  readonly #stage: Stage;
+  readonly #play: HTMLElement = find('#play');
+
+  constructor(stage: Stage) {
+    this.#stage = stage;
+    this.#play.addEventListener('click', () => this.togglePlaying());
+    find('#step').addEventListener('click', () => stage.step());
+    find('#reset').addEventListener('click', () => stage.reset());
+    find('#actions').append(...(stage.setup.actions ?? []).map((action) => this.#button(action)));
+    this.update();
+  }
+
+  togglePlaying(): void {
+    if (this.#stage.playing) this.#stage.pause();
+    else this.#stage.play();
+  }
+
+  /** Shows what the stage does. */
+  update(): void {
+    const { playing } = this.#stage;
+    this.#play.dataset['playing'] = String(playing);
+    this.#play.title = `${playing ? 'Pause' : 'Play'} (space)`;
+    const text = this.#play.querySelector('.text');
+    if (text) text.textContent = playing ? 'Pause' : 'Play';
+  }
+
+  /** A reset makes new actions: the button looks its own up by the key. */
+  #button({ key, label, group }: Action): HTMLButtonElement {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.className = 'action';
+    button.setAttribute('aria-keyshortcuts', key);
+    if (group !== undefined) button.dataset['group'] = String(group);
+    const cap = document.createElement('kbd');
+    cap.textContent = key;
+    cap.setAttribute('aria-hidden', 'true');
+    button.append(cap, label);
+    button.addEventListener('click', () => {
+      const action = this.#stage.setup.actions?.find((candidate) => candidate.key === key);
+      if (action) this.#stage.attempt(action.run);
+    });
+    return button;
+  }
+}

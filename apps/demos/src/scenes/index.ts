@@ -1,0 +1,12 @@
+import { projectiles } from './projectiles.ts';
+import type { Scene } from './scene.ts';
+
+/** Every scene, in the order of the thesis. */
+export const scenes: readonly Scene[] = [projectiles];
+
+/** The scene of an id; an error says which there are. */
+export function sceneOf(id: string | undefined): Scene {
+  const scene = scenes.find((candidate) => candidate.id === id);
+  if (!scene) throw new Error(`sceneOf: id must be one of ${scenes.map((each) => each.id).join(', ')}; got ${id}.`);
+  return scene;
+}
