@@ -61,9 +61,15 @@ function onThisMachine(): string | undefined {
   return [...onPath, ...usualPlaces()].find(isProgram);
 }
 
+/** The line of a program's output that says what went wrong. */
+function reason(output: string): string {
+  const lines = output.trim().split('\n');
+  return lines.find((line) => /^(E:|Error:|error)/.test(line)) ?? lines.at(-1) ?? '';
+}
+
 async function playwrightsDownload(): Promise<string | undefined> {
   const { code, output } = await runBin('playwright', ['install', '--no-shell', 'chromium'], { quiet: true });
-  if (code !== 0) console.error(output.trim().split('\n').slice(-3).join('\n'));
+  if (code !== 0) console.error(`The download failed. ${reason(output)}`);
   return code === 0 && isProgram(chromium.executablePath()) ? chromium.executablePath() : undefined;
 }
 
@@ -75,7 +81,7 @@ async function debiansPackage(): Promise<string | undefined> {
     env,
     quiet: true,
   });
-  if (code !== 0) console.error(output.trim().split('\n').slice(-3).join('\n'));
+  if (code !== 0) console.error(`apt-get could not install chromium. ${reason(output)}`);
   return code === 0 ? onThisMachine() : undefined;
 }
 
@@ -102,4 +108,11 @@ export async function findBrowser(): Promise<string> {
   );
 }
 
-if (isMain(import.meta.url)) console.log(await findBrowser());
+if (isMain(import.meta.url)) {
+  try {
+    console.log(await findBrowser());
+  } catch (error) {
+    console.error((error as Error).message);
+    process.exitCode = 1;
+  }
+}
