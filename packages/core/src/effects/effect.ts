@@ -1,5 +1,5 @@
-import type { SlotList } from '../particles/slot-list.ts';
 import type { ParticleSpawner } from '../particles/particle-spawner.ts';
+import type { SlotList } from '../particles/slot-list.ts';
 
 /** Something that adds and removes particles as time goes by: fireworks, or a game's own emitter. */
 export interface Effect {

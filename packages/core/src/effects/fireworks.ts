@@ -76,7 +76,8 @@ export class Fireworks implements Effect {
   constructor({ rules, seed = 1, ground = { minX: -10, maxX: 10, y: 0 } }: FireworksOptions) {
     this.#rules = checkedRules(rules);
     this.#random = new Random(seed);
-    for (const name of ['minX', 'maxX', 'y'] as const) requireFinite('Fireworks', `ground.${name}`, ground[name], 'metres');
+    for (const name of ['minX', 'maxX', 'y'] as const)
+      requireFinite('Fireworks', `ground.${name}`, ground[name], 'metres');
     requireOrdered('Fireworks', 'ground x', ground.minX, ground.maxX, 'm');
     this.#ground = { ...ground };
   }
@@ -103,7 +104,9 @@ export class Fireworks implements Effect {
   launch(type: number, at?: { x: number; y: number; vx?: number; vy?: number }): void {
     const rule = this.#rules.get(type);
     if (rule === undefined) {
-      throw new RangeError(`Fireworks.launch: type must have a rule; got ${describe(type)}. Known are ${this.#known()}.`);
+      throw new RangeError(
+        `Fireworks.launch: type must have a rule; got ${describe(type)}. Known are ${this.#known()}.`,
+      );
     }
     const world = this.#world;
     if (world === undefined) {
@@ -147,11 +150,11 @@ export class Fireworks implements Effect {
     const particles = world.particles;
     particles.vx[slot] = vx + minVelocity.x + (maxVelocity.x - minVelocity.x) * random.next();
     particles.vy[slot] = vy + minVelocity.y + (maxVelocity.y - minVelocity.y) * random.next();
-    particles.ax[slot] = rule.acceleration.x;
-    particles.ay[slot] = rule.acceleration.y;
+    if (rule.acceleration.x !== 0) particles.ax[slot] = rule.acceleration.x;
+    if (rule.acceleration.y !== 0) particles.ay[slot] = rule.acceleration.y;
     particles.mass[slot] = rule.mass;
     particles.inverseMass[slot] = 1 / rule.mass;
-    particles.damping[slot] = rule.damping;
+    if (rule.damping !== 1) particles.damping[slot] = rule.damping;
     particles.radius[slot] = rule.radius;
     particles.group[slot] = rule.type;
     this.#own(slot, world.generationAt(slot));
@@ -184,7 +187,9 @@ function checkedRules(rules: readonly FireworkRule[]): ReadonlyMap<number, Requi
   for (const rule of byType.values()) {
     for (const { type } of rule.payloads) {
       if (!byType.has(type)) {
-        throw new RangeError(`Fireworks: each payload's type must have a rule; type ${rule.type} bursts into ${type}, without one.`);
+        throw new RangeError(
+          `Fireworks: each payload's type must have a rule; type ${rule.type} bursts into ${type}, without one.`,
+        );
       }
     }
     requireEnding(byType, rule.type, []);
@@ -222,7 +227,11 @@ function copied(rule: Required<FireworkRule>): Required<FireworkRule> {
   };
 }
 
-function requireEnding(rules: ReadonlyMap<number, Required<FireworkRule>>, type: number, above: readonly number[]): void {
+function requireEnding(
+  rules: ReadonlyMap<number, Required<FireworkRule>>,
+  type: number,
+  above: readonly number[],
+): void {
   const path = [...above, type];
   if (above.includes(type)) {
     throw new RangeError(`Fireworks: bursts must end; the types ${path.join(' > ')} go round for ever.`);

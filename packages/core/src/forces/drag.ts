@@ -31,9 +31,19 @@ export class Drag implements ForceGenerator {
   /** Reads vx, vy. Adds to fx, fy. */
   apply({ vx, vy, fx, fy }: ParticleArrays, { slots, count }: ForceTargets): void {
     const { k1, k2 } = this;
+    if (k2 === 0) {
+      for (let t = 0; t < count; t++) {
+        const i = slots[t];
+        const sumX = fx[i] - k1 * vx[i];
+        const sumY = fy[i] - k1 * vy[i];
+        fx[i] = sumX;
+        fy[i] = sumY;
+      }
+      return;
+    }
     for (let t = 0; t < count; t++) {
       const i = slots[t];
-      const speed = k2 === 0 ? 0 : Math.sqrt(vx[i] * vx[i] + vy[i] * vy[i]);
+      const speed = Math.sqrt(vx[i] * vx[i] + vy[i] * vy[i]);
       const k = k1 + k2 * speed;
       fx[i] -= k * vx[i];
       fy[i] -= k * vy[i];

@@ -73,5 +73,6 @@ export function requireVector(where: string, name: string, value: { x: number; y
 
 /** `max` is at least `min`. */
 export function requireOrdered(where: string, name: string, min: number, max: number, unit: string): void {
-  if (!(min <= max)) fail(where, `the greatest ${name} must be at least the smallest, ${min} ${unit}`, max, 'Swap them.');
+  if (!(min <= max))
+    fail(where, `the greatest ${name} must be at least the smallest, ${min} ${unit}`, max, 'Swap them.');
 }

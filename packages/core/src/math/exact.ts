@@ -8,7 +8,7 @@
  * has no rounding error (W. J. Cody, W. Waite, *Software Manual for the Elementary Functions*, 1980).
  */
 
-const LN2_HIGH = 6.93147180369123816490e-1; // the upper 33 bits of ln 2
+const LN2_HIGH = 6.9314718036912381649e-1; // the upper 33 bits of ln 2
 const LN2_LOW = 1.90821492927058770002e-10; // ln 2 less its upper part
 const SQRT2 = 1.4142135623730951;
 

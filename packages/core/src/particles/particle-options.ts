@@ -1,4 +1,11 @@
-import { describe, requireFinite, requireInteger, requireNonNegative, requirePositiveOrInfinite, requireShare } from '../math/checks.ts';
+import {
+  describe,
+  requireFinite,
+  requireInteger,
+  requireNonNegative,
+  requirePositiveOrInfinite,
+  requireShare,
+} from '../math/checks.ts';
 import type { ParticleStore } from './particle-store.ts';
 
 /** What a new particle is made of. Only the position is asked for; all else has a default. */
@@ -50,11 +57,11 @@ export function writeParticle(store: ParticleStore, slot: number, options: Parti
   const { vx = 0, vy = 0, ax = 0, ay = 0, mass = 1, damping = 1, radius = 0, lifetime = Infinity, group = 0 } = options;
   store.vx[slot] = vx;
   store.vy[slot] = vy;
-  store.ax[slot] = ax;
-  store.ay[slot] = ay;
+  if (ax !== 0) store.ax[slot] = ax;
+  if (ay !== 0) store.ay[slot] = ay;
   store.mass[slot] = mass;
   store.inverseMass[slot] = 1 / mass;
-  store.damping[slot] = damping;
+  if (damping !== 1) store.damping[slot] = damping;
   store.radius[slot] = radius;
   store.group[slot] = group;
   store.setLifetime(slot, lifetime);

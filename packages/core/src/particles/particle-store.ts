@@ -1,3 +1,4 @@
+import type { MotionArrays } from './motion-arrays.ts';
 import { Particle } from './particle.ts';
 import type { ParticleSlots } from './particle-slots.ts';
 
@@ -7,7 +8,7 @@ const FIRST_CAPACITY = 64;
  * The particles of one world as typed arrays. A slot is stable for the life of its particle; freed slots are used again,
  * the last freed first, under a new generation. Arrays double when they are full.
  */
-export class ParticleStore implements ParticleSlots {
+export class ParticleStore implements ParticleSlots, MotionArrays {
   count = 0;
   /** How many particles live. */
   living = 0;
@@ -28,18 +29,36 @@ export class ParticleStore implements ParticleSlots {
   vy: Float64Array = new Float64Array(FIRST_CAPACITY);
   fx: Float64Array = new Float64Array(FIRST_CAPACITY);
   fy: Float64Array = new Float64Array(FIRST_CAPACITY);
-  ax: Float64Array = new Float64Array(FIRST_CAPACITY);
-  ay: Float64Array = new Float64Array(FIRST_CAPACITY);
   mass: Float64Array = new Float64Array(FIRST_CAPACITY);
   inverseMass: Float64Array = new Float64Array(FIRST_CAPACITY);
-  damping: Float64Array = new Float64Array(FIRST_CAPACITY);
   radius: Float64Array = new Float64Array(FIRST_CAPACITY);
   lifetime: Float64Array = new Float64Array(FIRST_CAPACITY);
   group: Uint16Array = new Uint16Array(FIRST_CAPACITY);
 
+  accelerated = false;
+  damped = false;
+  #ax: Float64Array = new Float64Array(FIRST_CAPACITY);
+  #ay: Float64Array = new Float64Array(FIRST_CAPACITY);
+  #damping: Float64Array = new Float64Array(FIRST_CAPACITY);
+
   readonly #handles: (Particle | undefined)[] = [];
   #free: Int32Array = new Int32Array(FIRST_CAPACITY);
   #freeCount = 0;
+
+  get ax(): Float64Array {
+    this.accelerated = true;
+    return this.#ax;
+  }
+
+  get ay(): Float64Array {
+    this.accelerated = true;
+    return this.#ay;
+  }
+
+  get damping(): Float64Array {
+    this.damped = true;
+    return this.#damping;
+  }
 
   /** How many particles fit before the arrays grow. */
   get capacity(): number {
@@ -61,9 +80,9 @@ export class ParticleStore implements ParticleSlots {
     this.y[slot] = this.previousY[slot] = y;
     this.vx[slot] = this.vy[slot] = 0;
     this.fx[slot] = this.fy[slot] = 0;
-    this.ax[slot] = this.ay[slot] = 0;
+    this.#ax[slot] = this.#ay[slot] = 0;
     this.mass[slot] = this.inverseMass[slot] = 1;
-    this.damping[slot] = 1;
+    this.#damping[slot] = 1;
     this.radius[slot] = 0;
     this.lifetime[slot] = Infinity;
     this.group[slot] = 0;
@@ -129,11 +148,11 @@ export class ParticleStore implements ParticleSlots {
     this.vy = grown(this.vy, new Float64Array(capacity));
     this.fx = grown(this.fx, new Float64Array(capacity));
     this.fy = grown(this.fy, new Float64Array(capacity));
-    this.ax = grown(this.ax, new Float64Array(capacity));
-    this.ay = grown(this.ay, new Float64Array(capacity));
+    this.#ax = grown(this.#ax, new Float64Array(capacity));
+    this.#ay = grown(this.#ay, new Float64Array(capacity));
     this.mass = grown(this.mass, new Float64Array(capacity));
     this.inverseMass = grown(this.inverseMass, new Float64Array(capacity));
-    this.damping = grown(this.damping, new Float64Array(capacity));
+    this.#damping = grown(this.#damping, new Float64Array(capacity));
     this.radius = grown(this.radius, new Float64Array(capacity));
     this.lifetime = grown(this.lifetime, new Float64Array(capacity));
     this.group = grown(this.group, new Uint16Array(capacity));

@@ -1,16 +1,6 @@
 import type { ForceRegistry } from '../forces/force-registry.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 
-/** Whether every position and velocity is a finite number. Reads x, y, vx, vy. Writes nothing. */
-export function allFinite({ count, x, y, vx, vy }: ParticleArrays): boolean {
-  let sum = 0;
-  for (let i = 0; i < count; i++) {
-    const each = x[i] + y[i] + vx[i] + vy[i];
-    sum += each - each; // 0 when finite, NaN otherwise, and NaN stays
-  }
-  return sum === 0;
-}
-
 /** The error that names the first particle that is not finite. */
 export function nonFiniteError({ count, x, y, vx, vy }: ParticleArrays): Error {
   for (let i = 0; i < count; i++) {

@@ -1,17 +1,24 @@
 import type { Effect } from '../effects/effect.ts';
 import type { ForceGenerator } from '../forces/force-generator.ts';
 import { ForceRegistry } from '../forces/force-registry.ts';
-import { describe, requireFinite, requireInteger, requireNonNegative, requirePositiveOrInfinite, requireVector } from '../math/checks.ts';
+import {
+  describe,
+  requireFinite,
+  requireInteger,
+  requireNonNegative,
+  requirePositiveOrInfinite,
+  requireVector,
+} from '../math/checks.ts';
 import type { Vec2 } from '../math/vec2.ts';
-import { checkParticleOptions, writeParticle } from '../particles/particle-options.ts';
-import type { ParticleOptions } from '../particles/particle-options.ts';
 import { Particle } from '../particles/particle.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
+import type { ParticleOptions } from '../particles/particle-options.ts';
+import { checkParticleOptions, writeParticle } from '../particles/particle-options.ts';
 import type { ParticleSpawner } from '../particles/particle-spawner.ts';
 import { ParticleStore } from '../particles/particle-store.ts';
 import { Checkpoint } from './checkpoint.ts';
 import { Expiry } from './expiry.ts';
-import { allFinite, nonFiniteError, nonFiniteForceError } from './finite.ts';
+import { nonFiniteError, nonFiniteForceError } from './finite.ts';
 import { type Integrator, semiImplicitEuler } from './integrators.ts';
 
 /** How a world is made. */
@@ -40,7 +47,9 @@ export class World implements ParticleSpawner {
     requireVector('World', 'gravity', gravity, 'metres per second squared');
     requireInteger('World', 'capacity', capacity, 0, 0x100_0000);
     if (typeof integrator !== 'function') {
-      throw new TypeError(`World: integrator must be an integrator such as semiImplicitEuler; got ${describe(integrator)}.`);
+      throw new TypeError(
+        `World: integrator must be an integrator such as semiImplicitEuler; got ${describe(integrator)}.`,
+      );
     }
     this.#gravity = Object.freeze({ x: gravity.x, y: gravity.y });
     this.#integrate = integrator;
@@ -190,8 +199,8 @@ export class World implements ParticleSpawner {
     store.locked = true;
     try {
       this.#forces.apply(dt);
-      this.#integrate(store, this.#gravity, dt);
-      if (!allFinite(store)) throw this.#nonFiniteError(dt);
+      const finite = this.#integrate(store, this.#gravity, dt);
+      if (!finite) throw this.#nonFiniteError(dt);
     } catch (error) {
       this.#checkpoint.restore(store);
       throw error;
@@ -229,7 +238,9 @@ export class World implements ParticleSpawner {
 
   #requireMembers(where: string, particles: Iterable<Particle>): Particle[] {
     if (typeof particles?.[Symbol.iterator] !== 'function') {
-      throw new TypeError(`${where}: particles must be a list of particles; got ${describe(particles)}. Put it in [ ].`);
+      throw new TypeError(
+        `${where}: particles must be a list of particles; got ${describe(particles)}. Put it in [ ].`,
+      );
     }
     const members = [...particles];
     for (const particle of members) this.#requireMember(where, particle);
