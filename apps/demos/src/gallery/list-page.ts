@@ -29,7 +29,6 @@ function start(host: HTMLElement): void {
     values: defaultValues(scene),
     seed: DEFAULT_SEED,
     palette: currentPalette(),
-    textSize: 10,
     failed: (error) => {
       host.dataset['failed'] = String(error);
     },

@@ -23,10 +23,10 @@ export class Readings {
     for (const { world } of setup.beside ?? []) particles += world.particleCount;
     const readings: Readout[] = [
       ...(setup.readouts?.() ?? []),
-      { label: 'time', value: setup.world.time, unit: 's', digits: 1 },
-      { label: 'particles', value: particles, digits: 0 },
-      { label: 'ms a step', value: statistics.stepMs, digits: 2 },
-      { label: 'frames a second', value: statistics.framesPerSecond, digits: 0 },
+      { label: 'Time', value: setup.world.time, unit: 's', digits: 1 },
+      { label: 'Particles', value: particles, digits: 0 },
+      { label: 'Step', value: statistics.stepMs, unit: 'ms', digits: 2 },
+      { label: 'Frames', value: statistics.framesPerSecond, unit: '/s', digits: 0 },
     ];
     for (const reading of readings) this.#write(reading);
   }
@@ -37,8 +37,7 @@ export class Readings {
       const entry = document.createElement('span');
       entry.className = 'reading';
       cell = document.createElement('b');
-      entry.append(cell, ` ${unit ? `${unit} ` : ''}${unit ? '' : label}`);
-      if (unit) entry.prepend(`${label} `);
+      entry.append(`${label} `, cell, unit ? ` ${unit}` : '');
       this.#list.append(entry);
       this.#cells.set(label, cell);
     }

@@ -37,7 +37,10 @@ fitButton.addEventListener('click', () => {
   stage.fit();
   fitButton.hidden = true;
 });
-watchTheme((palette) => stage.usePalette(palette));
+watchTheme((palette) => {
+  stage.usePalette(palette);
+  transport.paint();
+});
 exposeStage(stage);
 
 // The scene moves first; its controls follow.

@@ -14,6 +14,7 @@ export class Transport {
     find('#reset').addEventListener('click', () => stage.reset());
     find('#actions').append(...(stage.setup.actions ?? []).map((action) => this.#button(action)));
     this.update();
+    this.paint();
   }
 
   togglePlaying(): void {
@@ -28,6 +29,14 @@ export class Transport {
     this.#play.title = `${playing ? 'Pause' : 'Play'} (space)`;
     const text = this.#play.querySelector('.text');
     if (text) text.textContent = playing ? 'Pause' : 'Play';
+  }
+
+  /** Gives the keys of actions the colour of what they bring forth. */
+  paint(): void {
+    for (const button of document.querySelectorAll<HTMLElement>('[data-group]')) {
+      const fill = this.#stage.style.groups?.[Number(button.dataset['group'])]?.fill;
+      if (fill) button.style.setProperty('--swatch', fill);
+    }
   }
 
   /** A reset makes new actions: the button looks its own up by the key. */

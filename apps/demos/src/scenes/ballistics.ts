@@ -40,6 +40,8 @@ export function arcOf(thrown: Throw, seconds: number, pieces = 48): number[] {
 export class Flight {
   readonly particle: Particle;
   readonly thrown: Throw;
+  /** The particle's, which outlives it. */
+  readonly group: number;
   readonly #start: number;
   #last: Point;
   #flown = 0;
@@ -49,6 +51,7 @@ export class Flight {
   constructor(particle: Particle, thrown: Throw, start: number) {
     this.particle = particle;
     this.thrown = thrown;
+    this.group = particle.group;
     this.#start = start;
     this.#last = thrown;
   }

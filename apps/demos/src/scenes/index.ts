@@ -1,8 +1,10 @@
+import { fireworks } from './fireworks.ts';
+import { forceGenerators } from './force-generators.ts';
 import { projectiles } from './projectiles.ts';
 import type { Scene } from './scene.ts';
 
 /** Every scene, in the order of the thesis. */
-export const scenes: readonly Scene[] = [projectiles];
+export const scenes: readonly Scene[] = [projectiles, fireworks, forceGenerators];
 
 /** The scene of an id; an error says which there are. */
 export function sceneOf(id: string | undefined): Scene {

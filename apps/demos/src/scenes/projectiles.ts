@@ -1,6 +1,6 @@
 import { World } from '@mass/core';
 import { arcOf, Flight } from './ballistics.ts';
-import type { Scene } from './scene.ts';
+import type { Guide, Scene } from './scene.ts';
 
 // The thesis gives pixels, y down; here at 20 pixels a metre, y up.
 const kinds = [
@@ -24,7 +24,7 @@ export const projectiles: Scene<'speed' | 'gravity'> = {
     speed: { label: 'Muzzle speed', unit: '×', min: 0.5, max: 1.5, step: 0.05, value: 1, live: true },
     gravity: { label: 'Gravity', unit: '×', min: 0, max: 2, step: 0.05, value: 1, live: true },
   },
-  show: { minX: -2, maxX: 64, minY: -9, maxY: 18 },
+  show: { minX: -2, maxX: 64, minY: -9, maxY: 15 },
   style: ({ series }) => ({
     groups: kinds.map((_, kind) => ({ fill: series[kind + 1], minRadius: 4, trail: { seconds: 0.35, width: 5 } })),
   }),
@@ -59,15 +59,19 @@ export const projectiles: Scene<'speed' | 'gravity'> = {
         // Until somebody takes aim, the battery fires by itself, one kind after the other.
         if (!aimed && world.stepCount % 45 === 0) fire([1, 2, 0, 3][(world.stepCount / 45) % 4]);
       },
-      guides: () =>
-        flights.map(({ thrown }) => ({
-          kind: 'curve',
-          points: arcOf(thrown, flightTime),
-          dashed: true,
-          tone: kinds.findIndex(({ damping, vx }) => damping === thrown.damping && vx * values.speed === thrown.vx),
-        })),
+      guides: () => [
+        { kind: 'circle', x: 0, y: 0, radius: 0.9 },
+        ...flights.map(
+          ({ thrown, group }): Guide => ({
+            kind: 'curve',
+            points: arcOf(thrown, flightTime),
+            dashed: true,
+            tone: group,
+          }),
+        ),
+      ],
       readouts: () => [
-        { label: 'off the line', value: 100 * Math.max(0, ...flights.map(({ error }) => error)), unit: '%' },
+        { label: 'Off the line', value: 100 * Math.max(0, ...flights.map(({ error }) => error)), unit: '%' },
       ],
     };
   },

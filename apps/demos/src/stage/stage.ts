@@ -3,8 +3,9 @@ import type { Style } from '@mass/core/view';
 import type { Palette } from '../scenes/palette.ts';
 import { DEFAULT_STEP, stepSetup } from '../scenes/run.ts';
 import type { Guide, Scene, Setup, Values } from '../scenes/scene.ts';
+import { canvasPicture, makePicture } from './make-picture.ts';
 import { Pane } from './pane.ts';
-import { canvasPicture, makePicture, type Picture } from './picture.ts';
+import type { Picture } from './picture.ts';
 import type { RendererKind } from './renderers.ts';
 import { Statistics } from './statistics.ts';
 
@@ -14,8 +15,6 @@ export interface StageOptions {
   readonly values: Values;
   readonly seed: number;
   readonly palette: Palette;
-  /** Size of the words over the picture. @default 13. Unit: CSS px. */
-  readonly textSize?: number;
   /** Called when something that the stage ran has thrown; it stands still from then on, until it is reset. */
   readonly failed?: (error: unknown) => void;
   /** Called when the stage plays or pauses, is built anew, or changes its renderer. */
@@ -91,6 +90,11 @@ export class Stage {
 
   get setup(): Setup {
     return this.#setup;
+  }
+
+  /** How the scene is drawn, in the palette of the page. */
+  get style(): Style {
+    return this.#style;
   }
 
   get panes(): readonly Pane[] {
@@ -253,7 +257,8 @@ export class Stage {
   }
 
   #draw(): void {
-    const ink = { palette: this.#palette, style: this.#style, textSize: this.#options.textSize ?? 13 };
+    const textSize = this.#panes[0].camera.width < 560 ? 10.5 : 13;
+    const ink = { palette: this.#palette, style: this.#style, textSize };
     for (const [index, { guides }] of this.#worlds().entries()) {
       const own = guides?.() ?? [];
       this.#panes[index].draw(this.#alpha, index === 0 ? [...own, ...this.extraGuides()] : own, ink);
