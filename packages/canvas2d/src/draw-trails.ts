@@ -1,7 +1,10 @@
 import { type Camera, type DrawList, type Palette, type Trails, trailLevels, type ViewedWorld } from '@mass/core/view';
 import type { CanvasContext } from './canvas-context.ts';
 
-/** Draws the trails, one path a class and level of fading, the oldest first. */
+/** Segments in one path, about: more of them take the browser's rasteriser longer than as many in two. */
+const pathLength = 512;
+
+/** Draws the trails, a few paths a class and level of fading, the oldest first. */
 export function drawTrails(
   context: CanvasContext,
   world: ViewedWorld,
@@ -42,9 +45,16 @@ function strokeLevel(
   const left = camera.toScreenX(0);
   const top = camera.toScreenY(0);
   context.beginPath();
+  let segments = 0;
   for (let i = 0; i < count; i++) {
     const last = Math.min(end, length[i]);
     if (alive[i] === 0 || list.classes[i] !== c || first >= last) continue;
+    if (segments >= pathLength) {
+      context.stroke();
+      context.beginPath();
+      segments = 0;
+    }
+    segments += last - first;
     const row = i * capacity;
     if (first === 0) context.moveTo(list.x[i], list.y[i]);
     else {
