@@ -91,6 +91,8 @@ async function code(scene: Scene): Promise<Html> {
     lang: 'typescript',
     themes: { light: 'github-light', dark: 'github-dark' },
     defaultColor: 'light-dark()',
+    // The ground is the page's.
+    transformers: [{ pre: (node) => void delete node.properties['style'] }],
   });
   return new Html(highlighted);
 }

@@ -87,10 +87,10 @@ export const projectiles: Scene<'speed' | 'gravity'> = {
         flight.follow(trial.setup.world.time);
         error = Math.max(error, flight.error);
       });
-      const height = [-5, -25, 8, 0][kind];
+      const height = [-4, -18, 10, 0][kind];
       return [
         { name: `${name}: share of the way that it is off its closed form`, value: error, atMost: 0.01 },
-        { name: `${name}: height after the flight`, value: particle.y, atLeast: height - 5, atMost: height + 5 },
+        { name: `${name}: height after the flight`, value: particle.y, atLeast: height - 0.5, atMost: height + 0.5 },
       ];
     }),
 };

@@ -2,6 +2,9 @@ import type { Camera, Style } from '@mass/core/view';
 import type { Palette } from '../scenes/palette.ts';
 import type { Guide, Tone } from '../scenes/scene.ts';
 
+/** Width of the lines, rounded to whole device px. Unit: CSS px. */
+const LINE = 1.25;
+
 /** What the overlay draws with. */
 export interface Ink {
   readonly palette: Palette;
@@ -35,7 +38,7 @@ export class Overlay {
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.clearRect(0, 0, context.canvas.width, context.canvas.height);
     context.scale(this.#ratio, this.#ratio);
-    context.lineWidth = 1.5;
+    context.lineWidth = Math.max(1, Math.round(LINE * this.#ratio)) / this.#ratio;
     context.lineCap = 'round';
     context.lineJoin = 'round';
     context.font = `500 ${ink.textSize}px system-ui, sans-serif`;
@@ -55,7 +58,8 @@ function drawGuide(context: CanvasRenderingContext2D, guide: Guide, camera: Came
   switch (guide.kind) {
     case 'curve':
       context.setLineDash(guide.dashed ? [1, 5] : []);
-      drawCurve(context, guide.points, camera);
+      if (guide.points.length === 4 && guide.points[1] === guide.points[3]) drawLevel(context, guide.points, camera);
+      else drawCurve(context, guide.points, camera);
       context.setLineDash([]);
       return;
     case 'circle':
@@ -92,6 +96,17 @@ function drawCurve(context: CanvasRenderingContext2D, points: ArrayLike<number>,
   context.stroke();
 }
 
+/** A level line, on whole device px: it is crisp. */
+function drawLevel(context: CanvasRenderingContext2D, points: ArrayLike<number>, camera: Camera): void {
+  const ratio = context.getTransform().d;
+  const edge = (context.lineWidth * ratio) / 2;
+  const screenY = (Math.round(camera.toScreenY(points[1]) * ratio - edge) + edge) / ratio;
+  context.beginPath();
+  context.moveTo(camera.toScreenX(points[0]), screenY);
+  context.lineTo(camera.toScreenX(points[2]), screenY);
+  context.stroke();
+}
+
 /** An arrow in CSS px, whose head shrinks with it so that a short one still points. */
 function drawArrow(context: CanvasRenderingContext2D, x0: number, y0: number, x1: number, y1: number): void {
   const length = Math.hypot(x1 - x0, y1 - y0);
@@ -124,9 +139,10 @@ function drawLabel(
   const screenY = camera.toScreenY(y);
   const color = context.fillStyle;
   context.strokeStyle = style.background ?? palette.paper;
+  const width = context.lineWidth;
   context.lineWidth = 4;
   context.strokeText(text, screenX, screenY);
-  context.lineWidth = 1.5;
+  context.lineWidth = width;
   context.fillStyle = color;
   context.fillText(text, screenX, screenY);
 }

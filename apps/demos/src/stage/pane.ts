@@ -48,16 +48,12 @@ export class Pane {
     old.destroy();
   }
 
-  /** Takes the size that the page gives. Returns whether it is another one. */
-  measure(): boolean {
-    const { clientWidth: width, clientHeight: height } = this.element;
-    const ratio = window.devicePixelRatio;
-    if (width === this.camera.width && height === this.camera.height && ratio === this.#ratio) return false;
+  /** Takes the size that the page gives. Units: CSS px, and device px in each of them. */
+  resize(width: number, height: number, ratio: number): void {
     this.#ratio = ratio;
     this.camera.resize(width, height);
     this.#picture.resize(width, height, ratio);
     this.#overlay.resize(width, height, ratio);
-    return true;
   }
 
   draw(alpha: number, guides: readonly Guide[], ink: Ink): void {

@@ -58,7 +58,7 @@ export class Stage {
   /** Guides of whoever else draws over the picture: the reader's hand. */
   extraGuides: () => readonly Guide[] = () => [];
 
-  /** Builds the scene into `host` and draws its first frame, by Canvas 2D. It stands still until `play`. */
+  /** Builds the scene into `host`; it is drawn by Canvas 2D as soon as it is laid out, and stands still until `play`. */
   constructor(host: HTMLElement, options: StageOptions) {
     this.#host = host;
     this.#options = options;
@@ -76,16 +76,14 @@ export class Stage {
       host.append(pane.element);
     }
     this.#paintGround();
-    this.#resizes = new ResizeObserver(() => this.#measure());
-    this.#resizes.observe(host);
+    this.#resizes = new ResizeObserver(this.#measure);
+    for (const { element } of this.#panes) observeSize(this.#resizes, element);
     this.#sight = new IntersectionObserver((entries) => {
       this.#inSight = entries[entries.length - 1].isIntersecting;
       this.invalidate();
     });
     this.#sight.observe(host);
     document.addEventListener('visibilitychange', this.#forgetTime);
-    this.#measure();
-    this.#draw();
   }
 
   get setup(): Setup {
@@ -151,8 +149,9 @@ export class Stage {
     this.invalidate();
   }
 
-  /** Builds the scene anew, from `values` and `seed`. Whether it plays stays as it is, and so does the camera. */
+  /** Builds the scene anew, from `values` and `seed`. What played plays on, and so does what had failed; the camera stays. */
   reset(): void {
+    const mended = this.#failed;
     this.#failed = false;
     this.#guard(() => {
       this.#setup = this.scene.build(this.values, this.seed);
@@ -165,7 +164,8 @@ export class Stage {
     this.#alpha = 1;
     this.#forgetTime();
     this.invalidate();
-    this.#options.changed?.();
+    if (mended) this.play();
+    else this.#options.changed?.();
   }
 
   /** Changes the renderer. The old picture runs on until the new one is ready. */
@@ -270,10 +270,17 @@ export class Stage {
   }
 
   /** A resize is drawn before it is painted: nothing flashes, nothing jumps. */
-  #measure(): void {
-    const changes = this.#panes.filter((pane) => pane.measure());
-    if (changes.length > 0) this.#guard(() => this.#draw());
-  }
+  readonly #measure = (entries: readonly ResizeObserverEntry[]): void => {
+    for (const { target, contentRect, devicePixelContentBoxSize } of entries) {
+      const ratio = window.devicePixelRatio;
+      // The browser rounds boxes to whole device px: a canvas of exactly as many is crisp. Safari does not tell.
+      const exact = devicePixelContentBoxSize?.[0];
+      const width = exact ? exact.inlineSize / ratio : Math.round(contentRect.width * ratio) / ratio;
+      const height = exact ? exact.blockSize / ratio : Math.round(contentRect.height * ratio) / ratio;
+      this.#panes.find(({ element }) => element === target)?.resize(width, height, ratio);
+    }
+    this.#guard(() => this.#draw());
+  };
 
   #paintGround(): void {
     this.#host.style.setProperty('--ground', this.#style.background ?? '');
@@ -298,5 +305,13 @@ export class Stage {
     if (!this.#options.failed) throw error;
     this.#options.failed(error);
     this.#options.changed?.();
+  }
+}
+
+function observeSize(observer: ResizeObserver, element: HTMLElement): void {
+  try {
+    observer.observe(element, { box: 'device-pixel-content-box' });
+  } catch {
+    observer.observe(element);
   }
 }

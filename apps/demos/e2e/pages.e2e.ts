@@ -1,0 +1,143 @@
+import { readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { expect, openScene, read, test } from './gallery.ts';
+
+const dist = join(import.meta.dirname, '..', 'dist');
+const ids = readdirSync(join(dist, 'scenes'));
+
+for (const id of ids) {
+  test(`${id} has what a page must have, and moves`, async ({ page }) => {
+    await openScene(page, id);
+    await expect(page.getByRole('heading', { level: 1 })).not.toBeEmpty();
+    await expect(page.locator('.opening .look')).not.toBeEmpty();
+    await expect(page.locator('.formula math')).toBeAttached();
+    await expect(page.locator('.code pre')).toContainText('build(');
+    await expect.poll(() => read(page, ({ world }) => world.time)).toBeGreaterThan(0.2);
+  });
+
+  test(`${id} fits a phone`, async ({ page }) => {
+    await page.setViewportSize({ width: 360, height: 740 });
+    await openScene(page, id);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(360);
+    const stage = await page.locator('#stage').boundingBox();
+    expect(stage?.width).toBeGreaterThan(310);
+    expect(stage?.height).toBeGreaterThan(200);
+    expect(
+      await page
+        .locator('#play')
+        .boundingBox()
+        .then((box) => box?.height),
+    ).toBeGreaterThanOrEqual(40);
+  });
+
+  test(`${id} does not jump when the window is resized`, async ({ page }) => {
+    await openScene(page, id);
+    await expect.poll(() => read(page, ({ world }) => world.stepCount)).toBeGreaterThan(0);
+    const before = await read(page, ({ world }) => ({ time: world.time, steps: world.stepCount }));
+    for (const width of [900, 500, 1100]) {
+      await page.setViewportSize({ width, height: 700 });
+      await expect
+        .poll(() =>
+          read(page, ({ camera, scene, stage }) => {
+            const box = stage.panes[0].element.getBoundingClientRect();
+            const left = camera.toScreenX(scene.show.minX);
+            const right = camera.toScreenX(scene.show.maxX);
+            const top = camera.toScreenY(scene.show.maxY);
+            const bottom = camera.toScreenY(scene.show.minY);
+            const inside = left > -1 && top > -1 && right < box.width + 1 && bottom < box.height + 1;
+            const full = right - left > box.width - 2 || bottom - top > box.height - 2;
+            const canvas = stage.panes[0].picture.canvas;
+            return inside && full && Math.abs(canvas.width - box.width * devicePixelRatio) <= 1;
+          }),
+        )
+        .toBe(true);
+    }
+    const after = await read(page, ({ world }) => ({ time: world.time, steps: world.stepCount }));
+    expect(after.steps).toBeGreaterThanOrEqual(before.steps);
+    expect(after.time - before.time).toBeCloseTo((after.steps - before.steps) / 60, 6);
+  });
+}
+
+test('the list shows every scene, running', async ({ page }) => {
+  await page.goto('./');
+  await expect(page.locator('.card')).toHaveCount(ids.length);
+  for (const id of await page.evaluate(() => Object.keys(window.thumbnails ?? {}))) {
+    await expect
+      .poll(() => page.evaluate((name) => window.thumbnails?.[name].setup.world.time ?? 0, id))
+      .toBeGreaterThan(0.2);
+  }
+  await page.locator('.card a').first().click();
+  await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
+  await page.getByRole('link', { name: 'Mass' }).click();
+  await expect(page.locator('.card')).toHaveCount(ids.length);
+});
+
+test('a thumbnail out of sight stands still', async ({ page }) => {
+  await page.setViewportSize({ width: 360, height: 500 });
+  await page.goto('./');
+  const timeOf = (n: number) =>
+    page.evaluate((index) => Object.values(window.thumbnails ?? {})[index]?.setup.world.time ?? 0, n);
+  await expect.poll(() => timeOf(0)).toBeGreaterThan(0.2);
+  await page.locator('.card').last().scrollIntoViewIfNeeded();
+  await expect.poll(() => page.evaluate(() => Object.values(window.thumbnails ?? {})[0].inSight)).toBe(false);
+  const stopped = await timeOf(0);
+  await expect.poll(() => timeOf(ids.length - 1)).toBeGreaterThan(0.5);
+  expect(await timeOf(0)).toBe(stopped);
+  await page.evaluate(() => window.scrollTo(0, 0));
+  await expect.poll(() => timeOf(0)).toBeGreaterThan(stopped);
+});
+
+test('the list fits a phone', async ({ page }) => {
+  await page.setViewportSize({ width: 360, height: 740 });
+  await page.goto('./');
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(360);
+});
+
+test('light and dark follow the system until the reader chooses, and the choice is kept', async ({ page }) => {
+  const ground = () => page.evaluate(() => getComputedStyle(document.documentElement).backgroundColor);
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await openScene(page, 'projectiles');
+  const dark = await ground();
+  await page.emulateMedia({ colorScheme: 'light' });
+  await expect.poll(ground).not.toBe(dark);
+  const light = await ground();
+  const fill = await read(page, ({ stage }) => stage.style.groups?.[0].fill);
+  await page.getByRole('button', { name: 'Switch between light and dark' }).click();
+  await expect.poll(ground).toBe(dark);
+  expect(await read(page, ({ stage }) => stage.style.groups?.[0].fill)).not.toBe(fill);
+  await page.reload();
+  await expect.poll(ground).toBe(dark);
+  await page.getByRole('button', { name: 'Switch between light and dark' }).click();
+  await expect.poll(ground).toBe(light);
+});
+
+test('who asks for less motion gets none until they press play', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await page.goto('./');
+  await expect
+    .poll(() => page.evaluate(() => window.thumbnails?.['projectiles']?.setup.world.time ?? 0))
+    .toBeGreaterThan(1);
+  expect(await page.evaluate(() => window.thumbnails?.['projectiles'].playing)).toBe(false);
+  await openScene(page, 'projectiles');
+  expect(await read(page, ({ stage }) => stage.playing)).toBe(false);
+  await page.keyboard.press(' ');
+  await expect.poll(() => read(page, ({ world }) => world.time)).toBeGreaterThan(0.1);
+});
+
+test('the files work from any sub-path', async ({ page }) => {
+  await page.route('http://pages.test/**', (route) => {
+    const { pathname } = new URL(route.request().url());
+    if (!pathname.startsWith('/some/where/')) return route.fulfill({ status: 404 });
+    const file = pathname.slice('/some/where/'.length);
+    return route.fulfill({ path: join(dist, file === '' || file.endsWith('/') ? `${file}index.html` : file) });
+  });
+  await page.goto('http://pages.test/some/where/');
+  await expect
+    .poll(() => page.evaluate(() => window.thumbnails?.['projectiles']?.setup.world.time ?? 0))
+    .toBeGreaterThan(0.1);
+  await page.locator('.card a').first().click();
+  await expect(page).toHaveURL(/some\/where\/scenes\//);
+  await expect.poll(() => read(page, (mass) => mass?.world.time ?? 0)).toBeGreaterThan(0.1);
+  await page.getByRole('radio', { name: 'PixiJS' }).click();
+  await expect.poll(() => read(page, ({ renderer }) => renderer)).toBe('pixi');
+});
