@@ -12,6 +12,7 @@ export interface ForceGenerator {
    * @param particles - Position, velocity, mass, ... of every particle.
    * @param targets - The particles it was added for.
    * @param dt - Duration of the step. Unit: s.
+   * @param time - Time of the world at the start of the step. Unit: s.
    */
-  apply(particles: ParticleArrays, targets: ForceTargets, dt: number): void;
+  apply(particles: ParticleArrays, targets: ForceTargets, dt: number, time: number): void;
 }

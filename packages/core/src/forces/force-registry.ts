@@ -9,6 +9,7 @@ export class ForceRegistry {
   readonly #everyone: AllTargets;
   readonly #targets = new Map<ForceGenerator, AllTargets | ChosenTargets>();
   #generators: ForceGenerator[] = [];
+  #time = 0;
 
   constructor(store: ParticleStore) {
     this.#store = store;
@@ -48,10 +49,12 @@ export class ForceRegistry {
     }
   }
 
-  /** Runs every generator. Reads what they read. Adds to fx, fy. */
-  apply(dt: number): void {
+  /** Runs every generator at a time of the world. Reads what they read. Adds to fx, fy. */
+  apply(dt: number, time: number = this.#time): void {
+    this.#time = time;
     const generators = this.#generators;
     for (let g = 0; g < generators.length; g++) this.#applyOne(generators[g], dt);
+    this.#time += dt;
   }
 
   /**
@@ -81,6 +84,6 @@ export class ForceRegistry {
   #applyOne(generator: ForceGenerator, dt: number): void {
     const targets = this.#targets.get(generator) ?? this.#everyone;
     targets.refresh();
-    generator.apply(this.#store, targets, dt);
+    generator.apply(this.#store, targets, dt, this.#time);
   }
 }

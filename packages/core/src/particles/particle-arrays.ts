@@ -6,6 +6,8 @@
 export interface ParticleArrays {
   /** Slots to look at: 0 to `count - 1`. A free slot among them has `alive` 0, no mass to move and no velocity. */
   readonly count: number;
+  /** Grows with each particle added or removed: whoever keeps slots looks at them again when it has changed. */
+  readonly version: number;
   /** 1 where a particle lives, 0 where the slot is free. Written by the world alone. */
   readonly alive: Uint8Array;
   /** Position. Unit: m. */
