@@ -2,10 +2,11 @@ import {
   describe,
   requireFinite,
   requireInteger,
+  requireMass,
   requireNonNegative,
+  requireOptions,
   requireOrdered,
   requirePositive,
-  requirePositiveOrInfinite,
   requireShare,
   requireVector,
 } from '../math/checks.ts';
@@ -73,9 +74,12 @@ export class Fireworks implements Effect {
   #owned = new Uint32Array(64);
   #bursts = 0;
 
-  constructor({ rules, seed = 1, ground = { minX: -10, maxX: 10, y: 0 } }: FireworksOptions) {
+  constructor(options: FireworksOptions) {
+    requireOptions('Fireworks', 'options', options, '{ rules: [rocket, spark] }');
+    const { rules, seed = 1, ground = { minX: -10, maxX: 10, y: 0 } } = options;
     this.#rules = checkedRules(rules);
     this.#random = new Random(seed);
+    requireOptions('Fireworks', 'ground', ground, '{ minX: -10, maxX: 10, y: 0 }');
     for (const name of ['minX', 'maxX', 'y'] as const)
       requireFinite('Fireworks', `ground.${name}`, ground[name], 'metres');
     requireOrdered('Fireworks', 'ground x', ground.minX, ground.maxX, 'm');
@@ -94,6 +98,7 @@ export class Fireworks implements Effect {
 
   detach(): void {
     this.#world = undefined;
+    this.#owned.fill(0); // in another world the same slots and generations are other particles
   }
 
   /**
@@ -198,6 +203,7 @@ function checkedRules(rules: readonly FireworkRule[]): ReadonlyMap<number, Requi
 }
 
 function checkedRule(rule: FireworkRule): Required<FireworkRule> {
+  requireOptions('Fireworks', 'a rule', rule, '{ type: 1, minAge: 1, maxAge: 2, ... }');
   requireInteger('Fireworks', 'type', rule.type, 1, 65535);
   const where = `Fireworks, rule of type ${rule.type}`;
   const { acceleration = { x: 0, y: 0 }, mass = 1, radius = 0, payloads = [] } = rule;
@@ -210,9 +216,17 @@ function checkedRule(rule: FireworkRule): Required<FireworkRule> {
   requireOrdered(where, 'velocity.y', rule.minVelocity.y, rule.maxVelocity.y, 'm/s');
   requireShare(where, 'damping', rule.damping);
   requireVector(where, 'acceleration', acceleration, 'metres per second squared');
-  requirePositiveOrInfinite(where, 'mass', mass, 'kilograms');
+  requireMass(where, mass);
   requireNonNegative(where, 'radius', radius, 'metres');
-  for (const { count } of payloads) requireInteger(where, 'count of a payload', count, 1, 1_000_000);
+  if (!Array.isArray(payloads)) {
+    throw new TypeError(
+      `${where}: payloads must be a list such as [{ type: 2, count: 20 }]; got ${describe(payloads)}.`,
+    );
+  }
+  for (const payload of payloads) {
+    requireOptions(where, 'a payload', payload, '{ type: 2, count: 20 }');
+    requireInteger(where, 'count of a payload', payload.count, 1, 1_000_000);
+  }
   return copied({ ...rule, acceleration, mass, radius, payloads });
 }
 

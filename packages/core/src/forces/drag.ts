@@ -1,4 +1,4 @@
-import { requireNonNegative } from '../math/checks.ts';
+import { requireNonNegative, requireOptions } from '../math/checks.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import type { ForceGenerator } from './force-generator.ts';
 import type { ForceTargets } from './force-targets.ts';
@@ -21,7 +21,9 @@ export class Drag implements ForceGenerator {
   readonly k1: number;
   readonly k2: number;
 
-  constructor({ k1 = 0, k2 = 0 }: DragOptions) {
+  constructor(options: DragOptions) {
+    requireOptions('Drag', 'options', options, '{ k1: 0.1 }');
+    const { k1 = 0, k2 = 0 } = options;
     requireNonNegative('Drag', 'k1', k1, 'newton-seconds per metre');
     requireNonNegative('Drag', 'k2', k2, 'newton-seconds squared per square metre');
     this.k1 = k1;

@@ -1,3 +1,4 @@
+import { requireFunction } from '../math/checks.ts';
 import type { Particle } from '../particles/particle.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import type { ForceGenerator } from './force-generator.ts';
@@ -12,13 +13,11 @@ import type { ForceTargets } from './force-targets.ts';
  * ```
  */
 export function forEachParticle(updateForce: (particle: Particle, dt: number) => void): ForceGenerator {
-  if (typeof updateForce !== 'function') {
-    throw new TypeError('forEachParticle: updateForce must be a function of a particle and the duration of the step.');
-  }
-  return new ParticleFunction(updateForce);
+  requireFunction('forEachParticle', 'updateForce', updateForce, 'of a particle and the duration of the step');
+  return new ForEachParticle(updateForce);
 }
 
-class ParticleFunction implements ForceGenerator {
+class ForEachParticle implements ForceGenerator {
   readonly #updateForce: (particle: Particle, dt: number) => void;
 
   constructor(updateForce: (particle: Particle, dt: number) => void) {

@@ -3,6 +3,15 @@ import type { ParticleStore } from '../particles/particle-store.ts';
 import type { ForceGenerator } from './force-generator.ts';
 import { AllTargets, ChosenTargets } from './target-list.ts';
 
+/** A force that is not finite: whose, on which particle. The index counts generators in the order in which they run. */
+export interface NonFiniteForce {
+  readonly generator: ForceGenerator;
+  readonly index: number;
+  readonly slot: number;
+  readonly fx: number;
+  readonly fy: number;
+}
+
 /** Which generator acts on which particles. Generators run in the order in which they were first added. */
 export class ForceRegistry {
   readonly #store: ParticleStore;
@@ -61,17 +70,17 @@ export class ForceRegistry {
    * Finds, after a step that failed, the generator that gives a force which is not finite, by running each again on its
    * own. The accumulators are left as they were found.
    */
-  findNonFinite(dt: number): { generator: ForceGenerator; slot: number; fx: number; fy: number } | undefined {
+  findNonFinite(dt: number): NonFiniteForce | undefined {
     const { fx, fy, count } = this.#store;
     const keptX = fx.slice();
     const keptY = fy.slice();
     try {
-      for (const generator of this.#generators) {
+      for (const [index, generator] of this.#generators.entries()) {
         fx.fill(0);
         fy.fill(0);
         this.#applyOne(generator, dt);
         for (let slot = 0; slot < count; slot++) {
-          if (!Number.isFinite(fx[slot] + fy[slot])) return { generator, slot, fx: fx[slot], fy: fy[slot] };
+          if (!Number.isFinite(fx[slot] + fy[slot])) return { generator, index, slot, fx: fx[slot], fy: fy[slot] };
         }
       }
       return undefined;

@@ -1,10 +1,11 @@
 /**
  * The wording of argument errors, in one place: *where: what must hold; what came. How to mend it.*
- * The comparisons are written so that NaN fails them.
+ * The comparisons are written so that NaN fails them. A bad number is a RangeError, what is no number a TypeError.
  */
 
 function fail(where: string, must: string, value: unknown, mend: string): never {
-  throw new RangeError(`${where}: ${must}; got ${describe(value)}. ${mend}`.trimEnd());
+  const message = `${where}: ${must}; got ${describe(value)}. ${mend}`.trimEnd();
+  throw typeof value === 'number' ? new RangeError(message) : new TypeError(message);
 }
 
 /** A value as an error message shows it: short, and a string told from a number. */
@@ -14,6 +15,19 @@ export function describe(value: unknown): string {
   if (Array.isArray(value)) return 'an array';
   if (typeof value === 'object' && value !== null) return value.constructor?.name ?? 'an object';
   return String(value);
+}
+
+/** An object to take options out of; `example` shows one. */
+export function requireOptions(where: string, name: string, value: object, example: string): void {
+  if (typeof value !== 'object' || value === null)
+    fail(where, `${name} must be an object such as ${example}`, value, '');
+}
+
+/** A function; `what` says of what. */
+export function requireFunction(where: string, name: string, value: unknown, what: string): void {
+  if (typeof value !== 'function') {
+    throw new TypeError(`${where}: ${name} must be a function ${what}; got ${describe(value)}.`);
+  }
 }
 
 function of(unit: string): string {
@@ -38,6 +52,13 @@ export function requirePositive(where: string, name: string, value: number, unit
 export function requirePositiveOrInfinite(where: string, name: string, value: number, unit: string, mend = ''): void {
   if (typeof value !== 'number' || !(value > 0)) {
     fail(where, `${name} must be a positive number${of(unit)}`, value, mend);
+  }
+}
+
+/** A mass: a positive number whose inverse is finite, or `Infinity`. */
+export function requireMass(where: string, value: number): void {
+  if (typeof value !== 'number' || !(value > 0 && 1 / value < Infinity)) {
+    fail(where, 'mass must be a positive number of kilograms', value, 'Use Infinity to pin the particle.');
   }
 }
 
@@ -74,5 +95,5 @@ export function requireVector(where: string, name: string, value: { x: number; y
 /** `max` is at least `min`. */
 export function requireOrdered(where: string, name: string, min: number, max: number, unit: string): void {
   if (!(min <= max))
-    fail(where, `the greatest ${name} must be at least the smallest, ${min} ${unit}`, max, 'Swap them.');
+    fail(where, `the greatest ${name} must be at least the smallest, ${`${min} ${unit}`.trimEnd()}`, max, 'Swap them.');
 }

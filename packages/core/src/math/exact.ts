@@ -21,9 +21,13 @@ function powerOfTwo(exponent: number): number {
   return bits.getFloat64(0);
 }
 
-/** Natural logarithm of a finite number >= 0; ln 0 is -Infinity. Within 1 unit in the last place. */
+/**
+ * Natural logarithm; ln 0 is -Infinity, that of a negative number or of NaN is NaN. Within 1 unit in the last place.
+ */
 export function log(value: number): number {
   if (value === 0) return -Infinity;
+  if (!(value > 0)) return NaN;
+  if (value === Infinity) return Infinity;
   const subnormal = value < 2.2250738585072014e-308;
   bits.setFloat64(0, subnormal ? value * 18014398509481984 : value);
   const high = bits.getUint32(0);
@@ -34,14 +38,16 @@ export function log(value: number): number {
     mantissa /= 2;
     exponent += 1;
   }
-  const s = (mantissa - 1) / (mantissa + 1);
+  const f = mantissa - 1; // exact, unlike s: so 2·s is written as f - f²/2 + s·f²/2, whose greatest part has no error
+  const s = f / (2 + f);
   const q = s * s; // at most 0.0295: eleven terms reach the last bit
   let series = 1 / 23;
   for (let odd = 21; odd >= 3; odd -= 2) series = series * q + 1 / odd;
-  return exponent * LN2_HIGH + (2 * s + (2 * s * q * series + exponent * LN2_LOW));
+  const half = 0.5 * f * f;
+  return exponent * LN2_HIGH - (half - (s * (half + 2 * q * series) + exponent * LN2_LOW) - f);
 }
 
-/** e to the power of a finite number; 0 when too small to be a number, Infinity when too large. */
+/** e to the power of a number; 0 when too small to be a number, Infinity when too large. Within 1.1 units in the last place. */
 export function exp(value: number): number {
   if (value > 709.782712893384) return Infinity;
   if (value < -745.1332191019412) return 0;
@@ -56,7 +62,7 @@ export function exp(value: number): number {
 
 /**
  * `base` to the power of `exponent`, for `base` >= 0. Anything to the power 0 is 1, and so is 0 to the power 0.
- * The relative error is about |exponent·ln base| units in the last place, and never less than one.
+ * Within 1.5·(1 + |exponent·ln base|) units in the last place.
  */
 export function pow(base: number, exponent: number): number {
   if (exponent === 0 || base === 1) return 1;

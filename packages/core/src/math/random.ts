@@ -1,4 +1,4 @@
-import { requireFinite, requireInteger } from './checks.ts';
+import { requireFinite, requireInteger, requireOrdered } from './checks.ts';
 
 /**
  * Seeded random numbers: the same seed gives the same numbers in every JavaScript engine.
@@ -28,10 +28,12 @@ export class Random {
     return this.#next32() / 0x1_0000_0000;
   }
 
-  /** A number from `min` (included) to `max` (excluded unless equal to `min`). */
+  /** A number from `min` to `max`; `max` itself comes only by rounding, or where the two are equal. */
   between(min: number, max: number): number {
     requireFinite('Random.between', 'min', min, '');
     requireFinite('Random.between', 'max', max, '');
+    requireOrdered('Random.between', 'number', min, max, '');
+    requireFinite('Random.between', 'max - min', max - min, '');
     return min + (max - min) * this.next();
   }
 

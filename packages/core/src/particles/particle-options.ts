@@ -1,8 +1,9 @@
 import {
-  describe,
   requireFinite,
   requireInteger,
+  requireMass,
   requireNonNegative,
+  requireOptions,
   requirePositiveOrInfinite,
   requireShare,
 } from '../math/checks.ts';
@@ -31,13 +32,9 @@ export interface ParticleOptions {
   group?: number;
 }
 
-const MASS_MEND = 'Use Infinity to pin the particle.';
-
 /** Throws the error that says what is wrong with the options, if anything is. */
 export function checkParticleOptions(where: string, options: ParticleOptions): void {
-  if (typeof options !== 'object' || options === null) {
-    throw new TypeError(`${where}: options must be an object such as { x: 0, y: 0 }; got ${describe(options)}.`);
-  }
+  requireOptions(where, 'options', options, '{ x: 0, y: 0 }');
   const { vx = 0, vy = 0, ax = 0, ay = 0, mass = 1, damping = 1, radius = 0, lifetime = Infinity, group = 0 } = options;
   requireFinite(where, 'x', options.x, 'metres');
   requireFinite(where, 'y', options.y, 'metres');
@@ -45,7 +42,7 @@ export function checkParticleOptions(where: string, options: ParticleOptions): v
   requireFinite(where, 'vy', vy, 'metres per second');
   requireFinite(where, 'ax', ax, 'metres per second squared');
   requireFinite(where, 'ay', ay, 'metres per second squared');
-  requirePositiveOrInfinite(where, 'mass', mass, 'kilograms', MASS_MEND);
+  requireMass(where, mass);
   requireShare(where, 'damping', damping, '1 keeps all of the velocity.');
   requireNonNegative(where, 'radius', radius, 'metres');
   requirePositiveOrInfinite(where, 'lifetime', lifetime, 'seconds', 'Leave it out for a particle that stays.');

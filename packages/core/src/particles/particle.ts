@@ -1,6 +1,7 @@
 import {
   requireFinite,
   requireInteger,
+  requireMass,
   requireNonNegative,
   requirePositiveOrInfinite,
   requireShare,
@@ -90,7 +91,7 @@ export class Particle {
     return this.#of('mass').mass[this.slot];
   }
   set mass(value: number) {
-    requirePositiveOrInfinite('Particle.mass', 'mass', value, 'kilograms', 'Use Infinity to pin the particle.');
+    requireMass('Particle.mass', value);
     const slots = this.#of('mass');
     slots.mass[this.slot] = value;
     slots.inverseMass[this.slot] = 1 / value;

@@ -1,4 +1,5 @@
 import type { ForceRegistry } from '../forces/force-registry.ts';
+import { describe } from '../math/checks.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 
 /** The error that names the first particle that is not finite. */
@@ -19,8 +20,8 @@ export function nonFiniteForceError(forces: ForceRegistry, dt: number): Error | 
   const found = forces.findNonFinite(dt);
   if (found === undefined) return undefined;
   return new RangeError(
-    `World.step: a force must be a finite number of newtons; ${found.generator.constructor.name} gave ` +
-      `(${found.fx}, ${found.fy}) to particle ${found.slot}. The step was undone: mend the generator, or take it out with ` +
+    `World.step: a force must be a finite number of newtons; ${describe(found.generator)}, force ${found.index + 1} of ` +
+      `the world, gave (${found.fx}, ${found.fy}) to particle ${found.slot}. The step was undone: mend the generator, or take it out with ` +
       'world.removeForce.',
   );
 }

@@ -1,4 +1,10 @@
-import { requireInteger, requireNonNegative, requirePositive } from '../math/checks.ts';
+import {
+  requireFunction,
+  requireInteger,
+  requireNonNegative,
+  requireOptions,
+  requirePositive,
+} from '../math/checks.ts';
 
 /** How a fixed timestep runs. */
 export interface FixedTimestepOptions {
@@ -24,19 +30,25 @@ export class FixedTimestep {
   readonly step: number;
   /** Most steps in one call of `advance`. */
   readonly maxSteps: number;
+  /** Time that came in and was not stepped over yet; below 0 by at most what is forgiven. */
   #pending = 0;
   #dropped = 0;
 
-  constructor({ step = 1 / 60, maxSteps = 5 }: FixedTimestepOptions = {}) {
+  constructor(options: FixedTimestepOptions = {}) {
+    requireOptions('FixedTimestep', 'options', options, '{ step: 1 / 60 }');
+    const { step = 1 / 60, maxSteps = 5 } = options;
     requirePositive('FixedTimestep', 'step', step, 'seconds');
     requireInteger('FixedTimestep', 'maxSteps', maxSteps, 1, 1000);
     this.step = step;
     this.maxSteps = maxSteps;
   }
 
-  /** Share of a step that has passed since the last one, 0 to below 1: where to draw between the last two states. */
+  /**
+   * Share of a step that has passed since the last one, 0 to below 1: where to draw between the last two states. It is 1
+   * only after a step that threw and is still to come.
+   */
   get alpha(): number {
-    return this.#pending / this.step;
+    return Math.min(Math.max(0, this.#pending / this.step), 1);
   }
 
   /** Time that was dropped so far because frames were too slow. Unit: s. */
@@ -52,12 +64,13 @@ export class FixedTimestep {
    */
   advance(elapsed: number, takeStep: (dt: number) => void): number {
     requireNonNegative('FixedTimestep.advance', 'elapsed', elapsed, 'seconds', 'Pass the time since the last call.');
+    requireFunction('FixedTimestep.advance', 'takeStep', takeStep, 'such as (dt) => world.step(dt)');
     this.#pending += elapsed;
     let steps = 0;
-    // A sum of frame times misses a whole step by rounding alone: a millionth of a step is forgiven.
+    // A sum of frame times misses a whole step by rounding alone: a millionth of a step is forgiven, and owed.
     while (this.#pending >= this.step * (1 - 1e-6) && steps < this.maxSteps) {
       takeStep(this.step);
-      this.#pending = Math.max(0, this.#pending - this.step);
+      this.#pending -= this.step;
       steps++;
     }
     if (this.#pending >= this.step) {

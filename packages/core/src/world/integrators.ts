@@ -74,6 +74,7 @@ function damp({ count, vx, vy, damping, inverseMass }: MotionArrays, dt: number)
       vx[i] = vx[i] * k + FLUSH - FLUSH;
       vy[i] = vy[i] * k + FLUSH - FLUSH;
     }
+    if (Number.isNaN(d)) vx[i++] = NaN; // it equals nothing, not even itself: on to the next, and the sweep names this one
   }
 }
 
