@@ -29,3 +29,19 @@ export function particleOf(end: End): Particle | undefined {
 export function isEndAlive(end: End): boolean {
   return !(end instanceof Particle) || end.alive;
 }
+
+/** Throws unless two ends, each checked, are two different particles, or a particle and a fixed point. */
+export function requireTwoEnds(where: string, a: End, b: End): void {
+  if (a === b || !(a instanceof Particle || b instanceof Particle)) {
+    throw new TypeError(`${where}: the ends must be two different particles, or a particle and a fixed point.`);
+  }
+}
+
+/** The slot of the particle at an end, or -1 for a fixed point. A particle of another world is an error. */
+export function slotOfEnd(where: string, end: End, particles: object): number {
+  if (!(end instanceof Particle)) return -1;
+  if (!end.isIn(particles)) {
+    throw new Error(`${where}: both ends must be in the world that it acts in; one lives in another world.`);
+  }
+  return end.slot;
+}

@@ -32,6 +32,8 @@ export interface ParticleArrays {
   readonly damping: Float64Array;
   /** Radius of the disc that is drawn and collides; 0 is a point. Unit: m. */
   readonly radius: Float64Array;
+  /** Share of the closing speed that a hit gives back, 0 to 1; of two that hit the greater counts. */
+  readonly restitution: Float64Array;
   /** Time left until the world removes the particle; `Infinity` for ever. Set it by the handle. Unit: s. */
   readonly lifetime: Float64Array;
   /** A number of the game's own, 0 to 65535: styles choose by it, the physics never reads it. */

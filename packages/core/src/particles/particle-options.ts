@@ -26,6 +26,8 @@ export interface ParticleOptions {
   damping?: number;
   /** Radius of the disc, 0 or more. Unit: m. @default 0 */
   radius?: number;
+  /** Share of the closing speed that a hit gives back, 0 to 1; of two that hit the greater counts. @default 0 */
+  restitution?: number;
   /** Time until the world removes the particle, more than 0. Unit: s. @default Infinity */
   lifetime?: number;
   /** A number of the game's own, 0 to 65535, for styles. @default 0 */
@@ -35,7 +37,18 @@ export interface ParticleOptions {
 /** Throws the error that says what is wrong with the options, if anything is. */
 export function checkParticleOptions(where: string, options: ParticleOptions): void {
   requireOptions(where, 'options', options, '{ x: 0, y: 0 }');
-  const { vx = 0, vy = 0, ax = 0, ay = 0, mass = 1, damping = 1, radius = 0, lifetime = Infinity, group = 0 } = options;
+  const {
+    vx = 0,
+    vy = 0,
+    ax = 0,
+    ay = 0,
+    mass = 1,
+    damping = 1,
+    radius = 0,
+    restitution = 0,
+    lifetime = Infinity,
+    group = 0,
+  } = options;
   requireFinite(where, 'x', options.x, 'metres');
   requireFinite(where, 'y', options.y, 'metres');
   requireFinite(where, 'vx', vx, 'metres per second');
@@ -45,13 +58,25 @@ export function checkParticleOptions(where: string, options: ParticleOptions): v
   requireMass(where, mass);
   requireShare(where, 'damping', damping, '1 keeps all of the velocity.');
   requireNonNegative(where, 'radius', radius, 'metres');
+  requireShare(where, 'restitution', restitution);
   requirePositiveOrInfinite(where, 'lifetime', lifetime, 'seconds', 'Leave it out for a particle that stays.');
   requireInteger(where, 'group', group, 0, 65535);
 }
 
 /** Writes checked options to a slot that holds defaults. */
 export function writeParticle(store: ParticleStore, slot: number, options: ParticleOptions): void {
-  const { vx = 0, vy = 0, ax = 0, ay = 0, mass = 1, damping = 1, radius = 0, lifetime = Infinity, group = 0 } = options;
+  const {
+    vx = 0,
+    vy = 0,
+    ax = 0,
+    ay = 0,
+    mass = 1,
+    damping = 1,
+    radius = 0,
+    restitution = 0,
+    lifetime = Infinity,
+    group = 0,
+  } = options;
   store.vx[slot] = vx;
   store.vy[slot] = vy;
   if (ax !== 0) store.ax[slot] = ax;
@@ -60,6 +85,7 @@ export function writeParticle(store: ParticleStore, slot: number, options: Parti
   store.inverseMass[slot] = 1 / mass;
   if (damping !== 1) store.damping[slot] = damping;
   store.radius[slot] = radius;
+  store.restitution[slot] = restitution;
   store.group[slot] = group;
   store.setLifetime(slot, lifetime);
 }

@@ -12,6 +12,8 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
   count = 0;
   /** How many particles live. */
   living = 0;
+  /** How many particles were removed so far: lists of what hangs on particles compare it. */
+  removals = 0;
   /** Grows with each particle added or removed: lists of slots compare it to know when they are out of date. */
   version = 0;
   /** Whether some particle may have a finite lifetime. */
@@ -32,6 +34,7 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
   mass: Float64Array = new Float64Array(FIRST_CAPACITY);
   inverseMass: Float64Array = new Float64Array(FIRST_CAPACITY);
   radius: Float64Array = new Float64Array(FIRST_CAPACITY);
+  restitution: Float64Array = new Float64Array(FIRST_CAPACITY);
   lifetime: Float64Array = new Float64Array(FIRST_CAPACITY);
   group: Uint16Array = new Uint16Array(FIRST_CAPACITY);
 
@@ -84,6 +87,7 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
     this.mass[slot] = this.inverseMass[slot] = 1;
     this.#damping[slot] = 1;
     this.radius[slot] = 0;
+    this.restitution[slot] = 0;
     this.lifetime[slot] = Infinity;
     this.group[slot] = 0;
     return slot;
@@ -93,6 +97,7 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
   remove(slot: number): void {
     this.#requireUnlocked('removed');
     this.living--;
+    this.removals++;
     this.version++;
     this.generation[slot]++;
     this.#handles[slot] = undefined;
@@ -103,6 +108,7 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
     this.fx[slot] = this.fy[slot] = 0;
     this.mass[slot] = Infinity;
     this.inverseMass[slot] = 0;
+    this.radius[slot] = 0;
     this.lifetime[slot] = Infinity;
     this.#free[this.#freeCount++] = slot;
     if (this.living === 0) this.count = this.#freeCount = 0;
@@ -154,6 +160,7 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
     this.inverseMass = grown(this.inverseMass, new Float64Array(capacity));
     this.#damping = grown(this.#damping, new Float64Array(capacity));
     this.radius = grown(this.radius, new Float64Array(capacity));
+    this.restitution = grown(this.restitution, new Float64Array(capacity));
     this.lifetime = grown(this.lifetime, new Float64Array(capacity));
     this.group = grown(this.group, new Uint16Array(capacity));
     this.#free = grown(this.#free, new Int32Array(capacity));

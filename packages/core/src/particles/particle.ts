@@ -120,6 +120,15 @@ export class Particle {
     this.#of('radius').radius[this.slot] = value;
   }
 
+  /** Share of the closing speed that a hit gives back, 0 to 1; of two that hit the greater counts. */
+  get restitution(): number {
+    return this.#of('restitution').restitution[this.slot];
+  }
+  set restitution(value: number) {
+    requireShare('Particle.restitution', 'restitution', value);
+    this.#of('restitution').restitution[this.slot] = value;
+  }
+
   /** Time left until the world removes the particle; `Infinity` for ever. Unit: s. */
   get lifetime(): number {
     return this.#of('lifetime').lifetime[this.slot];

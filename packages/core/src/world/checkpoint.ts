@@ -7,8 +7,9 @@ import type { ParticleStore } from '../particles/particle-store.ts';
 export class Checkpoint {
   #x: Float64Array = new Float64Array(0);
   #y: Float64Array = new Float64Array(0);
-  #vx: Float64Array = new Float64Array(0);
-  #vy: Float64Array = new Float64Array(0);
+  /** Velocities as the step found them. Unit: m/s. */
+  vx: Float64Array = new Float64Array(0);
+  vy: Float64Array = new Float64Array(0);
   #fx: Float64Array = new Float64Array(0);
   #fy: Float64Array = new Float64Array(0);
 
@@ -17,8 +18,8 @@ export class Checkpoint {
     if (this.#x.length !== store.capacity) this.#resize(store.capacity);
     this.#x.set(store.x);
     this.#y.set(store.y);
-    this.#vx.set(store.vx);
-    this.#vy.set(store.vy);
+    this.vx.set(store.vx);
+    this.vy.set(store.vy);
     this.#fx.set(store.fx);
     this.#fy.set(store.fy);
   }
@@ -27,8 +28,8 @@ export class Checkpoint {
   restore(store: ParticleStore): void {
     store.x.set(this.#x);
     store.y.set(this.#y);
-    store.vx.set(this.#vx);
-    store.vy.set(this.#vy);
+    store.vx.set(this.vx);
+    store.vy.set(this.vy);
     store.fx.set(this.#fx);
     store.fy.set(this.#fy);
   }
@@ -45,8 +46,8 @@ export class Checkpoint {
   #resize(capacity: number): void {
     this.#x = new Float64Array(capacity);
     this.#y = new Float64Array(capacity);
-    this.#vx = new Float64Array(capacity);
-    this.#vy = new Float64Array(capacity);
+    this.vx = new Float64Array(capacity);
+    this.vy = new Float64Array(capacity);
     this.#fx = new Float64Array(capacity);
     this.#fy = new Float64Array(capacity);
   }

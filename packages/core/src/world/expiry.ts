@@ -1,5 +1,6 @@
 import type { ParticleStore } from '../particles/particle-store.ts';
 import type { SlotList } from '../particles/slot-list.ts';
+import type { EventQueue } from './events.ts';
 
 /** The particles whose lifetime ends with a step. */
 export class Expiry implements SlotList {
@@ -29,6 +30,12 @@ export class Expiry implements SlotList {
       this.#generations[this.count++] = generation[i];
     }
     store.mortal = mortal;
+  }
+
+  /** Notes what is on the list. Adds events. */
+  note(store: ParticleStore, events: EventQueue): void {
+    if (!events.has('particleExpired')) return;
+    for (let e = 0; e < this.count; e++) events.add('particleExpired', { particle: store.handle(this.slots[e]) });
   }
 
   /** Removes what is on the list, unless it went in the meantime. Writes the store. */

@@ -1,25 +1,40 @@
+import type { Shape } from '../collision/shape.ts';
+import type { ContactArrays } from '../contacts/contact-arrays.ts';
+import { ContactBuffer } from '../contacts/contact-buffer.ts';
+import type { ContactGenerator } from '../contacts/contact-generator.ts';
+import { ContactSources } from '../contacts/contact-sources.ts';
 import type { Effect } from '../effects/effect.ts';
 import type { ForceGenerator } from '../forces/force-generator.ts';
 import { ForceRegistry } from '../forces/force-registry.ts';
+import type { Link } from '../links/link.ts';
 import {
   describe,
   requireFinite,
+  requireFunction,
   requireInteger,
   requireNonNegative,
+  requireOptions,
   requirePositiveOrInfinite,
   requireVector,
 } from '../math/checks.ts';
+import { Members } from '../math/members.ts';
 import type { Vec2 } from '../math/vec2.ts';
+import { requireMember, requireMembers } from '../particles/membership.ts';
 import { Particle } from '../particles/particle.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
-import type { ParticleOptions } from '../particles/particle-options.ts';
-import { checkParticleOptions, writeParticle } from '../particles/particle-options.ts';
+import { checkParticleOptions, type ParticleOptions, writeParticle } from '../particles/particle-options.ts';
 import type { ParticleSpawner } from '../particles/particle-spawner.ts';
 import { ParticleStore } from '../particles/particle-store.ts';
+import type { Resolver } from '../resolvers/resolver.ts';
+import { severity } from '../resolvers/severity/severity.ts';
 import { Checkpoint } from './checkpoint.ts';
+import { ContactWatch } from './contact-watch.ts';
+import { EventQueue, type WorldEvents } from './events.ts';
 import { Expiry } from './expiry.ts';
 import { nonFiniteError, nonFiniteForceError } from './finite.ts';
 import { type Integrator, semiImplicitEuler } from './integrators.ts';
+import { LinkBreaker } from './link-breaker.ts';
+import type { Simulation } from './simulation.ts';
 
 /** How a world is made. */
 export interface WorldOptions {
@@ -27,6 +42,10 @@ export interface WorldOptions {
   gravity?: Readonly<Vec2>;
   /** How velocities and positions are brought on. @default semiImplicitEuler */
   integrator?: Integrator;
+  /** How contacts and links are kept. @default severity() */
+  resolver?: Resolver;
+  /** The most contacts that a step may have; those left out are counted in `contacts.leftOut`. @default Infinity */
+  contactLimit?: number;
   /** How many particles to make room for at once; more are always welcome. @default 64 */
   capacity?: number;
 }
@@ -35,34 +54,46 @@ export interface WorldOptions {
 export class World implements ParticleSpawner {
   readonly #store = new ParticleStore();
   readonly #forces = new ForceRegistry(this.#store);
-  readonly #checkpoint = new Checkpoint();
+  readonly #sources = new ContactSources(this.#store);
+  readonly #effects = new Members<Effect>('an effect', 'afterStep(world, expired, dt)');
+  readonly #events = new EventQueue();
+  readonly #simulation: Simulation & { gravity: Readonly<Vec2> };
+  readonly #resolver: Resolver;
   readonly #expiry = new Expiry();
-  readonly #effects: Effect[] = [];
-  readonly #integrate: Integrator;
-  #gravity: Readonly<Vec2>;
+  readonly #contactWatch = new ContactWatch();
+  readonly #linkBreaker = new LinkBreaker();
   #time = 0;
   #stepCount = 0;
 
-  constructor({ gravity = { x: 0, y: 0 }, integrator = semiImplicitEuler, capacity = 64 }: WorldOptions = {}) {
+  constructor(options: WorldOptions = {}) {
+    requireOptions('World', 'options', options, '{ gravity: { x: 0, y: -9.81 } }');
+    const { gravity = { x: 0, y: 0 }, integrator = semiImplicitEuler, resolver = severity() } = options;
+    const { contactLimit = Infinity, capacity = 64 } = options;
     requireVector('World', 'gravity', gravity, 'metres per second squared');
+    requireFunction('World', 'integrator', integrator, 'such as semiImplicitEuler');
+    requireFunction('World', 'resolver.step', resolver?.step, 'of a resolver such as severity()');
+    if (contactLimit !== Infinity) requireInteger('World', 'contactLimit', contactLimit, 0, 0x4000_0000);
     requireInteger('World', 'capacity', capacity, 0, 0x100_0000);
-    if (typeof integrator !== 'function') {
-      throw new TypeError(
-        `World: integrator must be an integrator such as semiImplicitEuler; got ${describe(integrator)}.`,
-      );
-    }
-    this.#gravity = Object.freeze({ x: gravity.x, y: gravity.y });
-    this.#integrate = integrator;
     this.#store.reserve(capacity);
+    this.#resolver = resolver;
+    this.#simulation = {
+      particles: this.#store,
+      forces: this.#forces,
+      sources: this.#sources,
+      contacts: new ContactBuffer(contactLimit),
+      integrate: integrator,
+      gravity: Object.freeze({ x: gravity.x, y: gravity.y }),
+      before: new Checkpoint(),
+    };
   }
 
   /** Acceleration of everything that has a finite mass. Unit: m/s². */
   get gravity(): Readonly<Vec2> {
-    return this.#gravity;
+    return this.#simulation.gravity;
   }
   set gravity(value: Readonly<Vec2>) {
     requireVector('World.gravity', 'gravity', value, 'metres per second squared');
-    this.#gravity = Object.freeze({ x: value.x, y: value.y });
+    this.#simulation.gravity = Object.freeze({ x: value.x, y: value.y });
   }
 
   /** The sum of all steps so far. Unit: s. */
@@ -85,6 +116,21 @@ export class World implements ParticleSpawner {
     return this.#store;
   }
 
+  /** The links, without those that lost an end. */
+  get links(): readonly Link[] {
+    return this.#sources.links;
+  }
+
+  /** The static shapes. */
+  get shapes(): readonly Shape[] {
+    return this.#sources.shapes.list;
+  }
+
+  /** The contacts of the last step, as typed arrays: to read. */
+  get contacts(): Readonly<ContactArrays> {
+    return this.#simulation.contacts;
+  }
+
   /** Adds a particle. A number that makes no sense is a RangeError, and nothing is added. */
   addParticle(options: ParticleOptions): Particle {
     checkParticleOptions('World.addParticle', options);
@@ -95,7 +141,7 @@ export class World implements ParticleSpawner {
 
   /** Takes a particle out of the world, and with it what hangs on it. */
   removeParticle(particle: Particle): void {
-    this.#requireMember('World.removeParticle', particle);
+    requireMember('World.removeParticle', particle, this.#store);
     this.#store.remove(particle.slot);
   }
 
@@ -133,7 +179,7 @@ export class World implements ParticleSpawner {
           'Wrap a function of one particle in forEachParticle.',
       );
     }
-    this.#forces.add(generator, particles && this.#requireMembers('World.addForce', particles));
+    this.#forces.add(generator, particles && requireMembers('World.addForce', particles, this.#store));
     return generator;
   }
 
@@ -152,57 +198,101 @@ export class World implements ParticleSpawner {
     this.#forces.remove(generator, particles && [...particles]);
   }
 
+  /** Joins two ends from the next step on. @returns The link. */
+  addLink<T extends Link>(link: T): T {
+    this.#requireBetweenSteps('World.addLink');
+    for (const end of [link?.a, link?.b]) {
+      if (end instanceof Particle) requireMember('World.addLink', end, this.#store);
+    }
+    this.#sources.addLink('World.addLink', link);
+    return link;
+  }
+
+  /** Takes a link out of the world. */
+  removeLink(link: Link): void {
+    this.#requireBetweenSteps('World.removeLink');
+    this.#sources.removeLink('World.removeLink', link);
+  }
+
+  /** Adds immovable scenery. @returns The shape. */
+  addShape<T extends Shape>(shape: T): T {
+    this.#requireBetweenSteps('World.addShape');
+    this.#sources.shapes.add('World.addShape', shape);
+    return shape;
+  }
+
+  /** Takes scenery out of the world. */
+  removeShape(shape: Shape): void {
+    this.#requireBetweenSteps('World.removeShape');
+    this.#sources.shapes.remove('World.removeShape', shape);
+  }
+
+  /** Adds something that finds contacts, such as `DiscContacts`. @returns The generator. */
+  addContactGenerator<T extends ContactGenerator>(generator: T): T {
+    this.#requireBetweenSteps('World.addContactGenerator');
+    this.#sources.generators.add('World.addContactGenerator', generator);
+    return generator;
+  }
+
+  /** Takes a contact generator out of the world. */
+  removeContactGenerator(generator: ContactGenerator): void {
+    this.#requireBetweenSteps('World.removeContactGenerator');
+    this.#sources.generators.remove('World.removeContactGenerator', generator);
+  }
+
   /** Adds something that makes particles as time goes by. @returns The effect. */
   addEffect<T extends Effect>(effect: T): T {
     this.#requireBetweenSteps('World.addEffect');
-    if (typeof effect?.afterStep !== 'function') {
-      throw new TypeError(
-        `World.addEffect: an effect must have a method afterStep(world, expired, dt); got ${describe(effect)}.`,
-      );
-    }
-    if (this.#effects.includes(effect)) throw new Error('World.addEffect: the effect is in the world already.');
+    this.#effects.check('World.addEffect', effect);
     effect.attach?.(this);
-    this.#effects.push(effect);
+    this.#effects.list.push(effect);
     return effect;
   }
 
   /** Takes an effect out of the world; the particles that it made stay. */
   removeEffect(effect: Effect): void {
     this.#requireBetweenSteps('World.removeEffect');
-    const index = this.#effects.indexOf(effect);
-    if (index < 0) throw new Error(`World.removeEffect: the effect must be in the world; ${describe(effect)} is not.`);
-    this.#effects.splice(index, 1);
+    this.#effects.remove('World.removeEffect', effect);
     effect.detach?.();
   }
 
   /**
-   * Moves the world on. A step that fails, by a number that is no longer finite or an error in a game's own force, is undone
-   * before the error is thrown.
+   * Has a function called after each step for all that happened in it: first the contacts that began, then those that
+   * ended, the links that broke, the particles that expired. The world can be changed from there.
+   * @returns A function that ends it.
+   */
+  on<Name extends keyof WorldEvents>(name: Name, listener: (event: WorldEvents[Name]) => void): () => void {
+    return this.#events.on(name, listener);
+  }
+
+  /**
+   * Moves the world on. A step that fails, by a number that is no longer finite or an error in a game's own force, link or
+   * contact generator, is undone before the error is thrown.
    * @param dt - Duration, 0 or more; 0 changes nothing. The same each time is best: see `FixedTimestep`. Unit: s.
    */
   step(dt: number): void {
     this.#requireBetweenSteps('World.step');
     requireNonNegative('World.step', 'dt', dt, 'seconds', 'Time runs forward only.');
     if (dt === 0) return;
-    this.#checkpoint.save(this.#store);
-    this.#move(dt);
-    this.#checkpoint.commit(this.#store);
+    this.#simulation.before.save(this.#store);
+    this.#resolve(dt);
+    this.#simulation.before.commit(this.#store);
     this.#time += dt;
     this.#stepCount++;
     this.#expiry.age(this.#store, dt);
+    this.#noteEvents(dt);
     this.#runEffects(dt);
+    this.#events.tell();
     this.#expiry.removeFrom(this.#store);
   }
 
-  #move(dt: number): void {
+  #resolve(dt: number): void {
     const store = this.#store;
     store.locked = true;
     try {
-      this.#forces.apply(dt);
-      const finite = this.#integrate(store, this.#gravity, dt);
-      if (!finite) throw this.#nonFiniteError(dt);
+      if (!this.#resolver.step(this.#simulation, dt)) throw this.#nonFiniteError(dt);
     } catch (error) {
-      this.#checkpoint.restore(store);
+      this.#simulation.before.restore(store);
       throw error;
     } finally {
       store.locked = false;
@@ -211,12 +301,19 @@ export class World implements ParticleSpawner {
 
   #nonFiniteError(dt: number): Error {
     const error = nonFiniteError(this.#store);
-    this.#checkpoint.restore(this.#store);
+    this.#simulation.before.restore(this.#store);
     return nonFiniteForceError(this.#forces, dt) ?? error;
   }
 
+  #noteEvents(dt: number): void {
+    const { contacts } = this.#simulation;
+    this.#contactWatch.compare(contacts, this.#sources, this.#store, this.#events);
+    this.#linkBreaker.breakLinks(contacts, this.#sources, this.#events, dt);
+    this.#expiry.note(this.#store, this.#events);
+  }
+
   #runEffects(dt: number): void {
-    const effects = this.#effects;
+    const effects = this.#effects.list;
     for (let e = 0; e < effects.length; e++) effects[e].afterStep(this, this.#expiry, dt);
   }
 
@@ -224,26 +321,5 @@ export class World implements ParticleSpawner {
     if (this.#store.locked) {
       throw new Error(`${where}: this must be called between steps; a force generator called it within one.`);
     }
-  }
-
-  #requireMember(where: string, particle: Particle): void {
-    if (!(particle instanceof Particle)) {
-      throw new TypeError(`${where}: a particle must be what World.addParticle returned; got ${describe(particle)}.`);
-    }
-    if (!particle.isIn(this.#store)) {
-      const why = particle.alive ? 'it lives in another world' : 'it was removed';
-      throw new Error(`${where}: the particle must be in this world; ${why}.`);
-    }
-  }
-
-  #requireMembers(where: string, particles: Iterable<Particle>): Particle[] {
-    if (typeof particles?.[Symbol.iterator] !== 'function') {
-      throw new TypeError(
-        `${where}: particles must be a list of particles; got ${describe(particles)}. Put it in [ ].`,
-      );
-    }
-    const members = [...particles];
-    for (const particle of members) this.#requireMember(where, particle);
-    return members;
   }
 }

@@ -1,0 +1,48 @@
+import { describe, requireFinite, requireShare, requireVector } from '../math/checks.ts';
+import type { Vec2 } from '../math/vec2.ts';
+import type { Shape, SurfaceReport } from './shape.ts';
+
+/** Which half of the plane is solid. */
+export interface HalfPlaneOptions {
+  /** A point on the surface. Unit: m. @default { x: 0, y: 0 } */
+  point?: Readonly<Vec2>;
+  /** Out of the solid half; any length but 0. @default { x: 0, y: 1 }, a floor */
+  normal?: Readonly<Vec2>;
+  /** Share of the closing speed that is given back, 0 to 1. @default 0 */
+  restitution?: number;
+}
+
+/** A floor, a wall or a ramp without end: everything behind its surface is solid. */
+export class HalfPlane implements Shape {
+  readonly restitution: number;
+  readonly minX: number = -Infinity;
+  readonly minY: number = -Infinity;
+  readonly maxX: number = Infinity;
+  readonly maxY: number = Infinity;
+  /** A point on the surface. Unit: m. */
+  readonly point: Readonly<Vec2>;
+  /** Unit normal out of the solid half. */
+  readonly normal: Readonly<Vec2>;
+
+  constructor({ point = { x: 0, y: 0 }, normal = { x: 0, y: 1 }, restitution = 0 }: HalfPlaneOptions = {}) {
+    requireVector('HalfPlane', 'point', point, 'metres');
+    requireVector('HalfPlane', 'normal', normal, 'any unit');
+    requireShare('HalfPlane', 'restitution', restitution);
+    const length = Math.sqrt(normal.x * normal.x + normal.y * normal.y);
+    requireFinite('HalfPlane', 'the length of normal', length, '');
+    if (length === 0) {
+      throw new RangeError(
+        `HalfPlane: normal must not be the zero vector; got ${describe(normal.x)}, ${describe(normal.y)}.`,
+      );
+    }
+    this.point = { x: point.x, y: point.y };
+    this.normal = { x: normal.x / length, y: normal.y / length };
+    this.restitution = restitution;
+  }
+
+  findSurface(x: number, y: number, reach: number, surface: SurfaceReport): void {
+    const { point, normal } = this;
+    const distance = (x - point.x) * normal.x + (y - point.y) * normal.y;
+    if (distance < reach) surface.add(distance, normal.x, normal.y);
+  }
+}

@@ -1,0 +1,36 @@
+import { type ContactBuffer, SCENERY } from '../contacts/contact-buffer.ts';
+import type { ParticleArrays } from '../particles/particle-arrays.ts';
+import type { Shape, SurfaceReport } from './shape.ts';
+
+/** Contacts are reported when the gap is below this share of the radius: a little early, so that rest is quiet. */
+export const EARLY_SHARE = 0.01;
+
+/** Finds the contacts of particles with scenery. */
+export class ShapeContacts implements SurfaceReport {
+  #contacts: ContactBuffer | undefined;
+  #slot = 0;
+  #radius = 0;
+  #restitution = 0;
+
+  /** Reads alive, x, y, radius, restitution, inverseMass. Adds contacts of all movable particles with one shape. */
+  find(shape: Shape, particles: ParticleArrays, contacts: ContactBuffer): void {
+    const { count, x, y, radius, restitution, inverseMass } = particles;
+    const { minX, minY, maxX, maxY } = shape;
+    this.#contacts = contacts;
+    for (let i = 0; i < count; i++) {
+      if (inverseMass[i] === 0) continue;
+      const reach = radius[i] * (1 + EARLY_SHARE);
+      const px = x[i];
+      const py = y[i];
+      if (px < minX - reach || px > maxX + reach || py < minY - reach || py > maxY + reach) continue;
+      this.#slot = i;
+      this.#radius = radius[i];
+      this.#restitution = Math.max(restitution[i], shape.restitution);
+      shape.findSurface(px, py, reach, this);
+    }
+  }
+
+  add(distance: number, normalX: number, normalY: number): void {
+    this.#contacts?.push(this.#slot, SCENERY, normalX, normalY, this.#radius - distance, this.#restitution);
+  }
+}

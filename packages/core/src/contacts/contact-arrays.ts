@@ -1,0 +1,20 @@
+/** The contacts of a step, one typed array a quantity, in the order in which they were found; links are among them. */
+export interface ContactArrays {
+  /** How many contacts there are. */
+  readonly count: number;
+  /** How many were left out because the world's limit was reached. */
+  readonly leftOut: number;
+  /** Slot of the first particle. */
+  readonly a: Int32Array;
+  /** Slot of the second particle, or -1 for immovable scenery. */
+  readonly b: Int32Array;
+  /** Unit normal, from the second towards the first. */
+  readonly normalX: Float64Array;
+  readonly normalY: Float64Array;
+  /** How deep the two were in each other when the contact was found; negative apart. Unit: m. */
+  readonly penetration: Float64Array;
+  /** Share of the closing speed that is given back, 0 to 1. */
+  readonly restitution: Float64Array;
+  /** Sum of the impulses along the normal. Unit: N·s. */
+  readonly impulse: Float64Array;
+}

@@ -1,0 +1,117 @@
+import { describe } from '../math/checks.ts';
+import type { ContactArrays } from './contact-arrays.ts';
+import type { Contacts } from './contacts.ts';
+
+const FIRST_CAPACITY = 64;
+
+/** The second particle of a contact with immovable scenery. */
+export const SCENERY = -1;
+
+/** The contacts of one step as typed arrays, in the order in which they were found. It grows; nothing is dropped. */
+export class ContactBuffer implements Contacts, ContactArrays {
+  count = 0;
+  /** Slots of the two particles; `b` is `SCENERY` for immovable scenery. */
+  a: Int32Array = new Int32Array(FIRST_CAPACITY);
+  b: Int32Array = new Int32Array(FIRST_CAPACITY);
+  normalX: Float64Array = new Float64Array(FIRST_CAPACITY);
+  normalY: Float64Array = new Float64Array(FIRST_CAPACITY);
+  penetration: Float64Array = new Float64Array(FIRST_CAPACITY);
+  restitution: Float64Array = new Float64Array(FIRST_CAPACITY);
+  /** Sum of the impulses along the normal, written by the resolver. Unit: N·s. */
+  impulse: Float64Array = new Float64Array(FIRST_CAPACITY);
+  /** Where the contact comes from: see `ContactSources.at`. */
+  source: Int32Array = new Int32Array(FIRST_CAPACITY);
+
+  leftOut = 0;
+  /** Written to the contacts that are added: who finds them. */
+  currentSource = 0;
+  readonly #limit: number;
+  #slotCount = 0;
+  #linkedPairs: ReadonlySet<number> = new Set();
+
+  /** @param limit - The most contacts that a step may have; what comes after is counted in `leftOut`. */
+  constructor(limit: number) {
+    this.#limit = limit;
+  }
+
+  /**
+   * Forgets all contacts.
+   * @param slotCount - How many slots the particles have: those that generators name must be below.
+   * @param linkedPairs - Pairs of slots that a link joins, as `pairKey`.
+   */
+  clear(slotCount: number, linkedPairs: ReadonlySet<number>): void {
+    this.count = 0;
+    this.leftOut = 0;
+    this.#slotCount = slotCount;
+    this.#linkedPairs = linkedPairs;
+  }
+
+  add(a: number, b: number, normalX: number, normalY: number, penetration: number, restitution: number): void {
+    this.#check(a, b, normalX, normalY, penetration, restitution);
+    this.push(a, b, normalX, normalY, penetration, restitution);
+  }
+
+  /** `add` without the checks, for our own generators. */
+  push(a: number, b: number, normalX: number, normalY: number, penetration: number, restitution: number): void {
+    if (this.count >= this.#limit) {
+      this.leftOut++;
+      return;
+    }
+    if (this.count === this.a.length) this.#grow(this.count * 2);
+    const c = this.count++;
+    this.a[c] = a;
+    this.b[c] = b;
+    this.normalX[c] = normalX;
+    this.normalY[c] = normalY;
+    this.penetration[c] = penetration;
+    this.restitution[c] = restitution;
+    this.impulse[c] = 0;
+    this.source[c] = this.currentSource;
+  }
+
+  areLinked(a: number, b: number): boolean {
+    return this.#linkedPairs.size > 0 && this.#linkedPairs.has(pairKey(a, b));
+  }
+
+  #check(a: number, b: number, normalX: number, normalY: number, penetration: number, restitution: number): void {
+    const where = 'Contacts.add';
+    if (!(Number.isInteger(a) && a >= 0 && a < this.#slotCount)) {
+      throw new RangeError(`${where}: a must be the slot of a particle; got ${describe(a)}.`);
+    }
+    if (!(Number.isInteger(b) && b >= SCENERY && b < this.#slotCount && b !== a)) {
+      throw new RangeError(`${where}: b must be the slot of another particle, or -1 for scenery; got ${describe(b)}.`);
+    }
+    if (!(Math.abs(normalX * normalX + normalY * normalY - 1) < 1e-6)) {
+      throw new RangeError(
+        `${where}: the normal must have length 1; got (${normalX}, ${normalY}). Divide it by its length.`,
+      );
+    }
+    if (!Number.isFinite(penetration)) {
+      throw new RangeError(`${where}: penetration must be a finite number of metres; got ${describe(penetration)}.`);
+    }
+    if (!(restitution >= 0 && restitution <= 1)) {
+      throw new RangeError(`${where}: restitution must be a number from 0 to 1; got ${describe(restitution)}.`);
+    }
+  }
+
+  #grow(capacity: number): void {
+    this.a = grown(this.a, new Int32Array(capacity));
+    this.b = grown(this.b, new Int32Array(capacity));
+    this.normalX = grown(this.normalX, new Float64Array(capacity));
+    this.normalY = grown(this.normalY, new Float64Array(capacity));
+    this.penetration = grown(this.penetration, new Float64Array(capacity));
+    this.restitution = grown(this.restitution, new Float64Array(capacity));
+    this.impulse = grown(this.impulse, new Float64Array(capacity));
+    this.source = grown(this.source, new Int32Array(capacity));
+  }
+}
+
+/** One number for a pair of slots, whatever their order. */
+export function pairKey(a: number, b: number): number {
+  return a < b ? a * 0x400_0000 + b : b * 0x400_0000 + a;
+}
+
+function grown<T extends { set(from: T): void }>(from: T, to: T): T {
+  to.set(from);
+  return to;
+}

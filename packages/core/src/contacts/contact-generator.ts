@@ -1,0 +1,16 @@
+import type { ParticleArrays } from '../particles/particle-arrays.ts';
+import type { Contacts } from './contacts.ts';
+
+/**
+ * Something that finds contacts: collision detection is one, and so are links. A game's own is made the same way:
+ * implement `addContacts`, hand it to `World.addContactGenerator`.
+ */
+export interface ContactGenerator {
+  /**
+   * Adds the contacts of this moment. Writes nothing of the particles.
+   * @param particles - Position, velocity, radius, ... of every particle.
+   * @param contacts - Where to add them.
+   * @param dt - Duration of the step. Unit: s.
+   */
+  addContacts(particles: ParticleArrays, contacts: Contacts, dt: number): void;
+}

@@ -1,0 +1,104 @@
+import type { Shape } from '../collision/shape.ts';
+import { ShapeContacts } from '../collision/shape-contacts.ts';
+import type { Link } from '../links/link.ts';
+import { Members } from '../math/members.ts';
+import { isEndAlive, particleOf } from '../particles/end.ts';
+import type { ParticleStore } from '../particles/particle-store.ts';
+import { type ContactBuffer, pairKey } from './contact-buffer.ts';
+import type { ContactGenerator } from './contact-generator.ts';
+
+/** Where a contact comes from. */
+export type ContactSource = Link | Shape | ContactGenerator;
+
+/** All that finds contacts: first the links, then the static shapes, then the other generators, each in order of addition. */
+export class ContactSources {
+  readonly shapes: Members<Shape> = new Members('a shape', 'findSurface(x, y, reach, surface)');
+  readonly generators: Members<ContactGenerator> = new Members(
+    'a contact generator',
+    'addContacts(particles, contacts, dt)',
+  );
+  readonly #links: Members<Link> = new Members('a link', 'addContacts(particles, contacts, dt)');
+  readonly #linkedPairs = new Set<number>();
+  readonly #store: ParticleStore;
+  readonly #shapeContacts = new ShapeContacts();
+  #removals = 0;
+  #pairsAreOld = false;
+
+  constructor(store: ParticleStore) {
+    this.#store = store;
+  }
+
+  /** The links whose ends all live. */
+  get links(): readonly Link[] {
+    this.#dropDead();
+    return this.#links.list;
+  }
+
+  addLink(where: string, link: Link): void {
+    this.#dropDead();
+    this.#links.check(where, link);
+    this.#links.list.push(link);
+    this.#pairsAreOld = true;
+  }
+
+  removeLink(where: string, link: Link): void {
+    this.#dropDead();
+    this.#links.remove(where, link);
+    this.#pairsAreOld = true;
+  }
+
+  /** What found the contacts whose `source` is a number. */
+  at(source: number): ContactSource {
+    const shape = source - this.#links.list.length;
+    if (shape < 0) return this.#links.list[source];
+    const generator = shape - this.shapes.list.length;
+    return generator < 0 ? this.shapes.list[shape] : this.generators.list[generator];
+  }
+
+  /** Finds the contacts of this moment. Reads the particles. Writes the contacts. */
+  gather(contacts: ContactBuffer, dt: number): void {
+    const store = this.#store;
+    const { links } = this;
+    const shapes = this.shapes.list;
+    const generators = this.generators.list;
+    contacts.clear(store.count, this.#pairs());
+    let source = 0;
+    for (let l = 0; l < links.length; l++) {
+      contacts.currentSource = source++;
+      links[l].addContacts(store, contacts, dt);
+    }
+    for (let s = 0; s < shapes.length; s++) {
+      contacts.currentSource = source++;
+      this.#shapeContacts.find(shapes[s], store, contacts);
+    }
+    for (let g = 0; g < generators.length; g++) {
+      contacts.currentSource = source++;
+      generators[g].addContacts(store, contacts, dt);
+    }
+  }
+
+  /** Takes out the links that lost an end. */
+  #dropDead(): void {
+    if (this.#removals === this.#store.removals) return;
+    this.#removals = this.#store.removals;
+    const links = this.#links.list;
+    let kept = 0;
+    for (const link of links) {
+      if (isEndAlive(link.a) && isEndAlive(link.b)) links[kept++] = link;
+    }
+    this.#pairsAreOld ||= kept < links.length;
+    links.length = kept;
+  }
+
+  #pairs(): ReadonlySet<number> {
+    if (!this.#pairsAreOld) return this.#linkedPairs;
+    this.#pairsAreOld = false;
+    this.#linkedPairs.clear();
+    for (const link of this.#links.list) {
+      const a = particleOf(link.a);
+      const b = particleOf(link.b);
+      if (a !== undefined && b !== undefined) this.#linkedPairs.add(pairKey(a.slot, b.slot));
+    }
+    return this.#linkedPairs;
+  }
+}

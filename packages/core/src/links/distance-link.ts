@@ -1,0 +1,129 @@
+import type { Contacts } from '../contacts/contacts.ts';
+import { requireNonNegative, requireOrdered, requirePositiveOrInfinite, requireShare } from '../math/checks.ts';
+import { checkedEnd, type End, particleOf } from '../particles/end.ts';
+import { Particle } from '../particles/particle.ts';
+import type { ParticleArrays } from '../particles/particle-arrays.ts';
+import type { Link } from './link.ts';
+
+/** When a link gives way. */
+export interface BreakingOptions {
+  /** Breaks when it has to hold more. Unit: N. @default Infinity */
+  breakForce?: number;
+  /** Breaks when it is off its length by more than this share of it, after a step. @default Infinity */
+  breakStrain?: number;
+}
+
+/** What a distance link keeps. */
+export interface DistanceLinkOptions extends BreakingOptions {
+  /** What it is, for drawing. */
+  kind: string;
+  /** Smallest distance of the ends. Unit: m. */
+  minLength: number;
+  /** Greatest distance of the ends. Unit: m. */
+  maxLength: number;
+  /** Share of the closing speed given back at either limit, 0 to 1. @default 0 */
+  restitution?: number;
+}
+
+/** A link that keeps the distance of its two ends between a least and a greatest: see `rod` and `cable`. */
+export class DistanceLink implements Link {
+  readonly a: End;
+  readonly b: End;
+  /** What it is, for drawing: 'rod', 'cable', or a game's own word. */
+  readonly kind: string;
+  /** Share of the closing speed given back at either limit, 0 to 1. */
+  readonly restitution: number;
+  /** Breaks when it has to hold more. Unit: N. */
+  readonly breakForce: number;
+  /** Breaks when it is off its length by more than this share of it. */
+  readonly breakStrain: number;
+  #minLength: number;
+  #maxLength: number;
+
+  constructor(where: string, a: End, b: End, options: DistanceLinkOptions) {
+    const { kind, minLength, maxLength, restitution = 0, breakForce = Infinity, breakStrain = Infinity } = options;
+    this.a = checkedEnd(where, 'a', a);
+    this.b = checkedEnd(where, 'b', b);
+    if (this.a === this.b || !(particleOf(this.a) || particleOf(this.b))) {
+      throw new TypeError(`${where}: the ends must be two different particles, or a particle and a fixed point.`);
+    }
+    requireNonNegative(where, 'minLength', minLength, 'metres');
+    requirePositiveOrInfinite(where, 'maxLength', maxLength, 'metres');
+    requireOrdered(where, 'length', minLength, maxLength, 'm');
+    requireShare(where, 'restitution', restitution);
+    requirePositiveOrInfinite(where, 'breakForce', breakForce, 'newtons');
+    requirePositiveOrInfinite(where, 'breakStrain', breakStrain, '');
+    this.kind = kind;
+    this.#minLength = minLength;
+    this.#maxLength = maxLength;
+    this.restitution = restitution;
+    this.breakForce = breakForce;
+    this.breakStrain = breakStrain;
+  }
+
+  /** Smallest distance of the ends. Unit: m. */
+  get minLength(): number {
+    return this.#minLength;
+  }
+
+  /** Greatest distance of the ends. Unit: m. */
+  get maxLength(): number {
+    return this.#maxLength;
+  }
+
+  /** Winds the link in or out. Unit: m. */
+  setLength(minLength: number, maxLength: number): void {
+    requireNonNegative('DistanceLink.setLength', 'minLength', minLength, 'metres');
+    requirePositiveOrInfinite('DistanceLink.setLength', 'maxLength', maxLength, 'metres');
+    requireOrdered('DistanceLink.setLength', 'length', minLength, maxLength, 'm');
+    this.#minLength = minLength;
+    this.#maxLength = maxLength;
+  }
+
+  /** Distance of the ends now. Unit: m. */
+  get length(): number {
+    const dx = this.b.x - this.a.x;
+    const dy = this.b.y - this.a.y;
+    return Math.sqrt(dx * dx + dy * dy);
+  }
+
+  /** How far the length is off its limits, as a share: positive when too long, negative when too short, else 0. */
+  get strain(): number {
+    const length = this.length;
+    if (length > this.#maxLength) return length / this.#maxLength - 1;
+    if (length < this.#minLength) return length / this.#minLength - 1;
+    return 0;
+  }
+
+  breaksAt(force: number): boolean {
+    return force > this.breakForce || (this.breakStrain < Infinity && Math.abs(this.strain) > this.breakStrain);
+  }
+
+  /**
+   * A contact that pulls the ends together at the greatest distance, and one that holds them apart at the smallest. A rod
+   * offers both each time, so that it holds its length from both sides and does not vibrate.
+   */
+  addContacts({ x, y }: ParticleArrays, contacts: Contacts): void {
+    const [first, second] = this.a instanceof Particle ? [this.a, this.b] : [this.b as Particle, this.a];
+    const i = first.slot;
+    const j = second instanceof Particle ? second.slot : -1;
+    const dx = (j < 0 ? second.x : x[j]) - x[i];
+    const dy = (j < 0 ? second.y : y[j]) - y[i];
+    const length = Math.sqrt(dx * dx + dy * dy);
+    const nx = length === 0 ? 0 : dx / length; // coincident ends define no direction: any will do
+    const ny = length === 0 ? 1 : dy / length;
+    if (length >= this.#maxLength || this.#minLength === this.#maxLength) {
+      contacts.add(i, j, nx, ny, length - this.#maxLength, this.restitution);
+    }
+    if (length <= this.#minLength || this.#minLength === this.#maxLength) {
+      contacts.add(i, j, -nx, -ny, this.#minLength - length, this.restitution);
+    }
+  }
+}
+
+/** The distance of two ends as they are now. Unit: m. */
+export function distanceNow(a: End, b: End): number {
+  const dx = b.x - a.x;
+  const dy = b.y - a.y;
+  return Math.sqrt(dx * dx + dy * dy);
+}

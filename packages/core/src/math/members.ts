@@ -1,0 +1,43 @@
+import { describe } from './checks.ts';
+
+/** A list of things that were added, each once, in order; what is added must have a certain method. */
+export class Members<T extends object> {
+  /** The members themselves: to read. */
+  readonly list: T[] = [];
+  readonly #what: string;
+  readonly #method: string;
+
+  /**
+   * @param what - What the things are, for error messages, such as 'an effect'.
+   * @param method - The method that each must have, with its arguments, such as 'afterStep(world, expired, dt)'.
+   */
+  constructor(what: string, method: string) {
+    this.#what = what;
+    this.#method = method;
+  }
+
+  /** Throws the error that says why something cannot be added, if it cannot. */
+  check(where: string, member: T): void {
+    const name = this.#method.slice(0, this.#method.indexOf('('));
+    if (typeof member !== 'object' || member === null || !(name in member)) {
+      throw new TypeError(`${where}: ${this.#what} must have a method ${this.#method}; got ${describe(member)}.`);
+    }
+    if (this.list.includes(member)) {
+      throw new Error(`${where}: ${this.#what} can be added once; ${describe(member)} is in the world already.`);
+    }
+  }
+
+  add(where: string, member: T): void {
+    this.check(where, member);
+    this.list.push(member);
+  }
+
+  /** Takes something out. */
+  remove(where: string, member: T): void {
+    const index = this.list.indexOf(member);
+    if (index < 0) {
+      throw new Error(`${where}: ${this.#what} must be in the world to be taken out; ${describe(member)} is not.`);
+    }
+    this.list.splice(index, 1);
+  }
+}

@@ -1,0 +1,24 @@
+import { describe } from '../math/checks.ts';
+import { Particle } from './particle.ts';
+import type { ParticleStore } from './particle-store.ts';
+
+/** Throws the error that says why a particle is not one of this store's, if it is not. */
+export function requireMember(where: string, particle: Particle, store: ParticleStore): void {
+  if (!(particle instanceof Particle)) {
+    throw new TypeError(`${where}: a particle must be what World.addParticle returned; got ${describe(particle)}.`);
+  }
+  if (!particle.isIn(store)) {
+    const why = particle.alive ? 'it lives in another world' : 'it was removed';
+    throw new Error(`${where}: the particle must be in this world; ${why}.`);
+  }
+}
+
+/** The same for a list, and a copy of it. */
+export function requireMembers(where: string, particles: Iterable<Particle>, store: ParticleStore): Particle[] {
+  if (typeof particles?.[Symbol.iterator] !== 'function') {
+    throw new TypeError(`${where}: particles must be a list of particles; got ${describe(particles)}. Put it in [ ].`);
+  }
+  const members = [...particles];
+  for (const particle of members) requireMember(where, particle, store);
+  return members;
+}

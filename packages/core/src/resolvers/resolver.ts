@@ -1,0 +1,13 @@
+import type { Simulation } from '../world/simulation.ts';
+
+/** How a world is moved on by one step: a value that is imported and passed to `new World({ resolver })`. */
+export interface Resolver {
+  /** The resolver's name, for messages and readouts. */
+  readonly name: string;
+  /**
+   * Moves the simulation on.
+   * @param dt - Duration, more than 0. Unit: s.
+   * @returns Whether every position and velocity came out finite.
+   */
+  step(simulation: Simulation, dt: number): boolean;
+}
