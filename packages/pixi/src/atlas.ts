@@ -28,7 +28,7 @@ export interface AtlasEntry {
 export class Atlas {
   /** A fully covered spot, for lines and rectangles: 1 texture pixel square. */
   readonly solid: Texture;
-  #source: BufferImageSource;
+  readonly #source: BufferImageSource;
   #image: Uint8Array;
   #extent = firstExtent;
   readonly #entries = new Map<number, AtlasEntry>();
@@ -81,8 +81,10 @@ export class Atlas {
     for (const { texture } of this.#entries.values()) texture.destroy();
     this.#entries.clear();
     this.solid.destroy();
-    this.#source.destroy();
+    // Unloaded, not destroyed: pixi's particle shader keeps hold of the last texture that it drew, and would warn.
+    this.#source.unload();
     this.#image = new Uint8Array(0);
+    this.#source.resource = this.#image;
   }
 
   #entry(kind: number, size: number, eighths: number): AtlasEntry {
@@ -142,15 +144,10 @@ export class Atlas {
     const image = new Uint8Array(to * to * 4);
     for (let row = 0; row < from; row++)
       image.set(this.#image.subarray(row * from * 4, (row + 1) * from * 4), row * to * 4);
-    const old = this.#source;
     this.#image = image;
     this.#extent = to;
-    this.#source = makeSource(image, to);
-    for (const texture of [this.solid, ...Array.from(this.#entries.values(), (entry) => entry.texture)]) {
-      texture.source = this.#source;
-      texture.update();
-    }
-    old.destroy();
+    this.#source.resource = image;
+    this.#source.resize(to, to); // the textures hear of it
   }
 
   /** Of a full atlas: the shape of the same kind whose size is nearest, for this one frame. */
