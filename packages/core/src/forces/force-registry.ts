@@ -18,7 +18,6 @@ export class ForceRegistry {
   readonly #everyone: AllTargets;
   readonly #targets = new Map<ForceGenerator, AllTargets | ChosenTargets>();
   #generators: ForceGenerator[] = [];
-  #time = 0;
 
   constructor(store: ParticleStore) {
     this.#store = store;
@@ -58,19 +57,17 @@ export class ForceRegistry {
     }
   }
 
-  /** Runs every generator at a time of the world. Reads what they read. Adds to fx, fy. */
-  apply(dt: number, time: number = this.#time): void {
-    this.#time = time;
+  /** Runs every generator. Reads what they read. Adds to fx, fy. */
+  apply(dt: number, time: number): void {
     const generators = this.#generators;
-    for (let g = 0; g < generators.length; g++) this.#applyOne(generators[g], dt);
-    this.#time += dt;
+    for (let g = 0; g < generators.length; g++) this.#applyOne(generators[g], dt, time);
   }
 
   /**
    * Finds, after a step that failed, the generator that gives a force which is not finite, by running each again on its
    * own. The accumulators are left as they were found.
    */
-  findNonFinite(dt: number): NonFiniteForce | undefined {
+  findNonFinite(dt: number, time: number): NonFiniteForce | undefined {
     const { fx, fy, count } = this.#store;
     const keptX = fx.slice();
     const keptY = fy.slice();
@@ -78,7 +75,7 @@ export class ForceRegistry {
       for (const [index, generator] of this.#generators.entries()) {
         fx.fill(0);
         fy.fill(0);
-        this.#applyOne(generator, dt);
+        this.#applyOne(generator, dt, time);
         for (let slot = 0; slot < count; slot++) {
           if (!Number.isFinite(fx[slot] + fy[slot])) return { generator, index, slot, fx: fx[slot], fy: fy[slot] };
         }
@@ -90,9 +87,9 @@ export class ForceRegistry {
     }
   }
 
-  #applyOne(generator: ForceGenerator, dt: number): void {
+  #applyOne(generator: ForceGenerator, dt: number, time: number): void {
     const targets = this.#targets.get(generator) ?? this.#everyone;
     targets.refresh();
-    generator.apply(this.#store, targets, dt, this.#time);
+    generator.apply(this.#store, targets, dt, time);
   }
 }

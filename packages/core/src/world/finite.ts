@@ -16,8 +16,8 @@ export function nonFiniteError({ count, x, y, vx, vy }: ParticleArrays): Error {
 }
 
 /** The error that names the force generator whose force is not finite, if there is one. Runs the generators again. */
-export function nonFiniteForceError(forces: ForceRegistry, dt: number): Error | undefined {
-  const found = forces.findNonFinite(dt);
+export function nonFiniteForceError(forces: ForceRegistry, dt: number, time: number): Error | undefined {
+  const found = forces.findNonFinite(dt, time);
   if (found === undefined) return undefined;
   return new RangeError(
     `World.step: a force must be a finite number of newtons; ${describe(found.generator)}, force ${found.index + 1} of ` +

@@ -15,6 +15,8 @@ export interface Simulation {
   readonly contacts: ContactBuffer;
   readonly integrate: Integrator;
   readonly gravity: Readonly<Vec2>;
+  /** Time of the world when the step began. Unit: s. */
+  readonly time: number;
   /** Positions and velocities as they were when the step began. */
   readonly before: Checkpoint;
 }

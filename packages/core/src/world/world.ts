@@ -57,12 +57,11 @@ export class World implements ParticleSpawner {
   readonly #sources = new ContactSources(this.#store);
   readonly #effects = new Members<Effect>('an effect', 'afterStep(world, expired, dt)');
   readonly #events = new EventQueue();
-  readonly #simulation: Simulation & { gravity: Readonly<Vec2> };
+  readonly #simulation: { -readonly [Part in keyof Simulation]: Simulation[Part] };
   readonly #resolver: Resolver;
   readonly #expiry = new Expiry();
   readonly #contactWatch = new ContactWatch();
   readonly #linkBreaker = new LinkBreaker();
-  #time = 0;
   #stepCount = 0;
 
   constructor(options: WorldOptions = {}) {
@@ -83,6 +82,7 @@ export class World implements ParticleSpawner {
       contacts: new ContactBuffer(contactLimit),
       integrate: integrator,
       gravity: Object.freeze({ x: gravity.x, y: gravity.y }),
+      time: 0,
       before: new Checkpoint(),
     };
   }
@@ -98,7 +98,7 @@ export class World implements ParticleSpawner {
 
   /** The sum of all steps so far. Unit: s. */
   get time(): number {
-    return this.#time;
+    return this.#simulation.time;
   }
 
   /** How many steps were taken. */
@@ -277,7 +277,7 @@ export class World implements ParticleSpawner {
     this.#simulation.before.save(this.#store);
     this.#resolve(dt);
     this.#simulation.before.commit(this.#store);
-    this.#time += dt;
+    this.#simulation.time += dt;
     this.#stepCount++;
     this.#expiry.age(this.#store, dt);
     this.#noteEvents(dt);
@@ -302,7 +302,7 @@ export class World implements ParticleSpawner {
   #nonFiniteError(dt: number): Error {
     const error = nonFiniteError(this.#store);
     this.#simulation.before.restore(this.#store);
-    return nonFiniteForceError(this.#forces, dt) ?? error;
+    return nonFiniteForceError(this.#forces, dt, this.#simulation.time) ?? error;
   }
 
   #noteEvents(dt: number): void {
