@@ -35,7 +35,7 @@ export function read<T>(page: Page, of: (mass: MassOnPage) => T): Promise<T> {
 /** Opens a scene, and waits until it runs and its controls are there. */
 export async function openScene(page: Page, id: string, query = ''): Promise<void> {
   await page.goto(`scenes/${id}/${query}`);
-  await page.locator('wa-radio-group[label="Renderer"]').waitFor();
+  await page.locator('[data-choice="renderer"] wa-radio').first().waitFor();
   const renderer = new URLSearchParams(query).get('renderer') ?? 'canvas2d';
   await expect.poll(() => read(page, (mass) => mass.renderer)).toBe(renderer);
 }
