@@ -159,11 +159,64 @@ export async function compare(pixelRatio: number) {
   const reach = 1.5 * pixelRatio;
   return {
     sizes: [a.width, a.height, b.width, b.height],
-    missing: [missing(a, b, reach), missing(b, a, reach)],
+    missing: [missing(a, b, reach), missing(b, a, reach), edges(a, b, reach), edges(b, a, reach)],
     fromTruth,
     fromEachOther,
     areas,
   };
+}
+
+/** Draws discs larger than any in the texture, after a zoom through more sizes than it has room for. */
+export async function compareLarge(pixelRatio: number) {
+  const app = await makeApplication(pixelRatio);
+  const canvas = makeCanvas();
+  const view = camera();
+  const world = new World();
+  for (let i = 0; i < 30; i++)
+    world.addParticle({ x: (i % 10) - 5, y: 3.5 - i / 10, radius: 0.05 + 0.013 * i, group: 1 + (i % 2) });
+  world.addParticle({ x: 3, y: -5, radius: 4.5, group: 0 });
+  world.addParticle({ x: -4, y: -5.5, radius: 4.2, group: 1 });
+  const renderers = [
+    new CanvasRenderer(canvas, { style }),
+    new PixiRenderer(app.stage, { style, renderer: app.renderer }),
+  ];
+  for (const renderer of renderers) renderer.resize(width, height, pixelRatio);
+  for (let i = 0; i < 60; i++) {
+    view.zoomAt(300, 50, 1.08);
+    renderers[1].render(world, view, 1);
+    app.render();
+  }
+  view.fit({ minX: -6, maxX: 6, minY: -4, maxY: 4 });
+  for (const renderer of renderers) renderer.render(world, view, 1);
+  app.render();
+  const a = pixels(canvas);
+  const b = pixels(app.canvas);
+  return [missing(a, b, 1.5 * pixelRatio), missing(b, a, 1.5 * pixelRatio), edges(a, b, 1.5 * pixelRatio)];
+}
+
+/** Pixels of clearly another colour in `b` than any within `reach` pixels of the same place in `a`. */
+function edges(a: ImageData, b: ImageData, reach: number): number {
+  let count = 0;
+  const span = Math.ceil(reach);
+  for (let y = span; y < a.height - span; y++) {
+    for (let x = span; x < a.width - span; x++) if (!sameNear(a, b, x, y, span)) count++;
+  }
+  return count;
+}
+
+function sameNear(a: ImageData, b: ImageData, x: number, y: number, span: number): boolean {
+  const at = (y * b.width + x) * 4;
+  for (let dy = -span; dy <= span; dy++) {
+    for (let dx = -span; dx <= span; dx++) {
+      const other = ((y + dy) * a.width + x + dx) * 4;
+      let distance = 0;
+      for (let channel = 0; channel < 3; channel++) {
+        distance = Math.max(distance, Math.abs(a.data[other + channel] - b.data[at + channel]));
+      }
+      if (distance < 100) return true; // soft edges differ by some
+    }
+  }
+  return false;
 }
 
 let draws = 0;

@@ -4,7 +4,7 @@ import { bakeLine, bakeRing } from './bake.ts';
 /** Sizes in each doubling of the radius: a shape is never scaled by more than 4.5 %, so its edge stays as sharp as baked. */
 const sizesPerOctave = 8;
 const smallestSize = -8; // a radius of half a texture pixel
-const largestSize = 72; // 512 of them, half as many on the screen; what is larger is scaled up, and its edge softens
+const largestSize = 64; // of 256, half as many on the screen; what is larger is scaled up, and its edge softens
 /** Texture pixels to a device pixel: at 1 the soft edge as baked and the one of sampling would add up to a blur. */
 const oversampling = 2;
 const gap = 1;
@@ -14,6 +14,9 @@ const lines = 2;
 const firstExtent = 512;
 const lastExtent = 2048;
 
+/** Up to this radius a ring of the atlas has the width that was asked for. Unit: device px. */
+export const largestRing = 64;
+
 /** A shape in the atlas. */
 export interface AtlasEntry {
   readonly texture: Texture;
@@ -22,8 +25,8 @@ export interface AtlasEntry {
 }
 
 /**
- * White discs, rings and lines of many sizes in one texture, baked when first asked for, for one resolution of the screen. It
- * grows; once it is as large as it may be and full, it starts anew with the next frame.
+ * White discs, rings and lines of many sizes in one texture, baked when first asked for. It grows; once it is as large as
+ * it may be and full, the frame is to be drawn again, from an empty atlas that gets only what the frame needs.
  */
 export class Atlas {
   /** A fully covered spot, for lines and rectangles: 1 texture pixel square. */
@@ -42,7 +45,7 @@ export class Atlas {
     this.#image = new Uint8Array(this.#extent * this.#extent * 4);
     this.#source = makeSource(this.#image, this.#extent);
     this.solid = new Texture({ source: this.#source, frame: new Rectangle(1, 1, 1, 1), label: 'mass solid' });
-    this.#reset();
+    this.reset();
   }
 
   /** How many shapes are baked. */
@@ -50,9 +53,22 @@ export class Atlas {
     return this.#entries.size;
   }
 
-  /** Starts a frame: a full atlas is emptied. */
-  begin(): void {
-    if (this.#full) this.#reset();
+  /** Whether something was asked for that had no room. */
+  get full(): boolean {
+    return this.#full;
+  }
+
+  /** Forgets every shape. */
+  reset(): void {
+    for (const { texture } of this.#entries.values()) texture.destroy();
+    this.#entries.clear();
+    this.#image.fill(0);
+    for (let row = 0; row < 3; row++) this.#image.fill(255, row * this.#extent * 4, row * this.#extent * 4 + 12);
+    this.#shelfX = 4;
+    this.#shelfY = 0;
+    this.#shelfHeight = 4;
+    this.#full = false;
+    this.#dirty = true;
   }
 
   /** Ends a frame: what was baked goes to the graphics card. */
@@ -150,7 +166,7 @@ export class Atlas {
     this.#source.resize(to, to); // the textures hear of it
   }
 
-  /** Of a full atlas: the shape of the same kind whose size is nearest, for this one frame. */
+  /** Of a full atlas: the shape of the same kind whose size is nearest. */
   #nearest(kind: number, key: number): AtlasEntry {
     let best: AtlasEntry = { texture: this.solid, size: 0.5 };
     let least = Infinity;
@@ -161,18 +177,6 @@ export class Atlas {
       best = entry;
     }
     return best;
-  }
-
-  #reset(): void {
-    for (const { texture } of this.#entries.values()) texture.destroy();
-    this.#entries.clear();
-    this.#image.fill(0);
-    for (let row = 0; row < 3; row++) this.#image.fill(255, row * this.#extent * 4, row * this.#extent * 4 + 12);
-    this.#shelfX = 4;
-    this.#shelfY = 0;
-    this.#shelfHeight = 4;
-    this.#full = false;
-    this.#dirty = true;
   }
 }
 

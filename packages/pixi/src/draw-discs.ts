@@ -1,5 +1,6 @@
 import type { DrawList, Paint, Palette } from '@mass/core/view';
-import type { Atlas } from './atlas.ts';
+import { type Atlas, largestRing } from './atlas.ts';
+import { drawRing } from './draw-ring.ts';
 import type { QuadBatch } from './quad-batch.ts';
 
 /** Adds the discs and their outlines; `pixelRatio` is the device pixels in a CSS px. */
@@ -43,7 +44,12 @@ function addFills(
     const r = radius[i] - strokeWidth / 2;
     const { texture, size } = atlas.disc(r * pixelRatio);
     const scale = r / size;
-    batch.add(texture, x[i], y[i], scale, scale, 0, fillRgb, alpha);
+    const soft = scale * pixelRatio > 1 ? 2 * scale : 0; // a disc larger than any in the atlas
+    if (soft > 0 && alpha === 1) {
+      const inner = (r - soft) / size;
+      batch.add(texture, x[i], y[i], inner, inner, 0, fillRgb, alpha);
+      drawRing(batch, atlas, x[i], y[i], r, 3 * soft, fillRgb, alpha, pixelRatio);
+    } else batch.add(texture, x[i], y[i], scale, scale, 0, fillRgb, alpha);
   }
 }
 
@@ -58,6 +64,10 @@ function addOutlines(
 ): void {
   for (let k = first; k < end; k++) {
     const i = order[k];
+    if (radius[i] * pixelRatio > largestRing) {
+      drawRing(batch, atlas, x[i], y[i], radius[i], strokeWidth, strokeRgb, alpha, pixelRatio);
+      continue;
+    }
     const { texture, size } = atlas.ring(radius[i] * pixelRatio, strokeWidth * pixelRatio);
     const scale = radius[i] / size;
     batch.add(texture, x[i], y[i], scale, scale, 0, strokeRgb, alpha);

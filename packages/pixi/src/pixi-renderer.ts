@@ -90,22 +90,17 @@ export class PixiRenderer implements Renderer<Container> {
       throw new Error('PixiRenderer.render: the renderer must not be destroyed; it was. Make a new one.');
     }
     const palette = this.#palette;
-    const list = this.#list;
-    const batch = this.#batch;
-    const atlas = this.#atlas;
     this.#bindings.prune(world.particles);
-    list.update(world, palette, camera, alpha, this.#bindings.bound);
+    this.#list.update(world, palette, camera, alpha, this.#bindings.bound);
     this.#applySize();
     this.#paintBackground(camera);
-    atlas.begin();
-    batch.begin();
-    if (palette.hasTrails) {
-      this.#trails.update(world);
-      drawTrails(batch, atlas, world, list, this.#trails, palette, camera, this.#pixelRatio);
+    if (palette.hasTrails) this.#trails.update(world);
+    this.#fill(world, camera);
+    if (this.#atlas.full) {
+      this.#atlas.reset();
+      this.#fill(world, camera);
     }
-    drawDiscs(batch, atlas, list, palette, this.#pixelRatio);
-    batch.end();
-    atlas.end();
+    this.#atlas.end();
     this.#bindings.forEach(this.#place);
   }
 
@@ -136,6 +131,16 @@ export class PixiRenderer implements Renderer<Container> {
     this.#layer.destroy();
     this.#root.destroy();
     this.#atlas.destroy();
+  }
+
+  #fill(world: ViewedWorld, camera: Camera): void {
+    const batch = this.#batch;
+    batch.begin();
+    if (this.#palette.hasTrails) {
+      drawTrails(batch, this.#atlas, world, this.#list, this.#trails, this.#palette, camera, this.#pixelRatio);
+    }
+    drawDiscs(batch, this.#atlas, this.#list, this.#palette, this.#pixelRatio);
+    batch.end();
   }
 
   /** Resizing a renderer empties its canvas, so it waits until there is something new to show. */
