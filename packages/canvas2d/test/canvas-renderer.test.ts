@@ -131,6 +131,7 @@ describe('CanvasRenderer', () => {
           .map((array) => [...(array as Float64Array)]),
       );
     const before = copy();
+    expect(before.length).toBeGreaterThan(1000);
     for (let i = 0; i < 10; i++) render(0.3);
     expect(copy()).toBe(before);
   });
