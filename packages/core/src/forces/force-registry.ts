@@ -1,3 +1,4 @@
+import { describe } from '../math/checks.ts';
 import type { Particle } from '../particles/particle.ts';
 import type { ParticleStore } from '../particles/particle-store.ts';
 import type { ForceGenerator } from './force-generator.ts';
@@ -37,18 +38,17 @@ export class ForceRegistry {
     this.#generators = [...this.#targets.keys()];
   }
 
-  has(generator: ForceGenerator): boolean {
-    return this.#targets.has(generator);
-  }
-
-  /** Whether the generator acts on all particles, not on chosen ones. */
-  actsOnAll(generator: ForceGenerator): boolean {
-    return this.#targets.get(generator) === this.#everyone;
-  }
-
   /** Frees particles of a generator, or takes it out where none are named. */
-  remove(generator: ForceGenerator, particles?: Iterable<Particle>): void {
+  remove(where: string, generator: ForceGenerator, particles?: Iterable<Particle>): void {
     const targets = this.#targets.get(generator);
+    if (targets === undefined) {
+      throw new Error(`${where}: the force must be in the world; ${describe(generator)} is not.`);
+    }
+    if (particles !== undefined && targets === this.#everyone) {
+      throw new Error(
+        `${where}: the force acts on all particles; single ones cannot be freed of it. Add it with a list of particles instead.`,
+      );
+    }
     if (particles === undefined) {
       this.#targets.delete(generator);
       this.#generators = [...this.#targets.keys()];

@@ -186,16 +186,7 @@ export class World implements ParticleSpawner {
   /** Frees particles of a force, or, without a list, takes the force out of the world. */
   removeForce(generator: ForceGenerator, particles?: Iterable<Particle>): void {
     this.#requireBetweenSteps('World.removeForce');
-    if (!this.#forces.has(generator)) {
-      throw new Error(`World.removeForce: the force must be in the world; ${describe(generator)} is not.`);
-    }
-    if (particles !== undefined && this.#forces.actsOnAll(generator)) {
-      throw new Error(
-        'World.removeForce: the force acts on all particles; single ones cannot be freed of it. ' +
-          'Add it with a list of particles instead.',
-      );
-    }
-    this.#forces.remove(generator, particles && [...particles]);
+    this.#forces.remove('World.removeForce', generator, particles && [...particles]);
   }
 
   /** Joins two ends from the next step on. @returns The link. */
