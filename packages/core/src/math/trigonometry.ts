@@ -15,47 +15,43 @@ const TAU = 6.283185307179586;
 /** Beyond it whole turns are taken away first: the number of quarter turns must have no more than 20 bits. */
 const LARGE = 1e6;
 
-/** Sine. Within 1.5 units in the last place; beyond a million radians within half a unit of the angle's own last place. */
+/** Sine. Within 1 unit in the last place; beyond a million radians within half a unit of the angle's own last place. */
 export function sin(angle: number): number {
-  const reduced = angle > LARGE || angle < -LARGE ? angle % TAU : angle;
-  const quarters = Math.floor(reduced / (TAU / 4) + 0.5);
-  const r = remainder(reduced, quarters);
-  return quadrant(quarters, sineNearZero(r), cosineNearZero(r));
+  return sineAfterQuarters(angle, 0);
 }
 
 /** Cosine. As exact as the sine. */
 export function cos(angle: number): number {
-  const reduced = angle > LARGE || angle < -LARGE ? angle % TAU : angle;
-  const quarters = Math.floor(reduced / (TAU / 4) + 0.5);
-  const r = remainder(reduced, quarters);
-  return quadrant(quarters + 1, sineNearZero(r), cosineNearZero(r));
+  return sineAfterQuarters(angle, 1);
 }
 
-/** The sine of so many quarter turns and a rest whose sine and cosine are known. */
-function quadrant(quarters: number, sine: number, cosine: number): number {
-  const quadrant = quarters - 4 * Math.floor(quarters / 4); // 0 to 3
-  const value = quadrant === 0 || quadrant === 2 ? sine : cosine;
+/** The sine of an angle and so many quarter turns. */
+function sineAfterQuarters(angle: number, more: number): number {
+  const near = angle > LARGE || angle < -LARGE ? angle % TAU : angle;
+  const quarters = Math.floor(near / (TAU / 4) + 0.5);
+  const upper = near - quarters * QUARTER_HIGH;
+  const lower = quarters * QUARTER_MIDDLE;
+  const r = upper - lower;
+  const rest = upper - r - lower - quarters * QUARTER_LOW; // what rounding took from r, and the third part
+  const quadrant = quarters + more - 4 * Math.floor((quarters + more) / 4); // 0 to 3
+  const value = quadrant === 0 || quadrant === 2 ? sineNearZero(r, rest) : cosineNearZero(r, rest);
   return quadrant < 2 ? value : -value;
 }
 
-function remainder(angle: number, quarters: number): number {
-  return angle - quarters * QUARTER_HIGH - quarters * QUARTER_MIDDLE - quarters * QUARTER_LOW;
-}
-
-/** r - r³/3! + r⁵/5! - …, for |r| <= π/4: nine terms. */
-function sineNearZero(r: number): number {
+/** sin(r + rest) = r - r³/3! + r⁵/5! - … + rest·cos r, for |r| <= π/4: nine terms. */
+function sineNearZero(r: number, rest: number): number {
   const q = r * r;
   let series = 1;
   for (let n = 16; n >= 4; n -= 2) series = 1 - (series * q) / (n * (n + 1));
-  return r - (r * q * series) / 6; // the greatest part stands alone: it has no error
+  return r - ((r * q * series) / 6 - rest * (1 - q / 2)); // the greatest part stands alone: it has no error
 }
 
-/** 1 - r²/2! + r⁴/4! - …, for |r| <= π/4: nine terms. */
-function cosineNearZero(r: number): number {
+/** cos(r + rest) = 1 - r²/2! + r⁴/4! - … - rest·sin r, for |r| <= π/4: nine terms. */
+function cosineNearZero(r: number, rest: number): number {
   const q = r * r;
   let series = 1;
   for (let n = 15; n >= 5; n -= 2) series = 1 - (series * q) / (n * (n + 1));
   const half = q / 2;
   const upper = 1 - half;
-  return upper + (1 - upper - half + (q * q * series) / 24); // with what rounding took from the upper part
+  return upper + (1 - upper - half + ((q * q * series) / 24 - r * rest)); // with what rounding took from the upper part
 }
