@@ -13,6 +13,8 @@ export class SpringTable {
   dirty = false;
   slotA: Int32Array = new Int32Array(FIRST_CAPACITY);
   slotB: Int32Array = new Int32Array(FIRST_CAPACITY);
+  generationA: Uint32Array = new Uint32Array(FIRST_CAPACITY);
+  generationB: Uint32Array = new Uint32Array(FIRST_CAPACITY);
   fixedX: Float64Array = new Float64Array(FIRST_CAPACITY);
   fixedY: Float64Array = new Float64Array(FIRST_CAPACITY);
   restLength: Float64Array = new Float64Array(FIRST_CAPACITY);
@@ -42,12 +44,26 @@ export class SpringTable {
   #grow(capacity: number): void {
     this.slotA = grown(this.slotA, new Int32Array(capacity));
     this.slotB = grown(this.slotB, new Int32Array(capacity));
+    this.generationA = grown(this.generationA, new Uint32Array(capacity));
+    this.generationB = grown(this.generationB, new Uint32Array(capacity));
     this.fixedX = grown(this.fixedX, new Float64Array(capacity));
     this.fixedY = grown(this.fixedY, new Float64Array(capacity));
     this.restLength = grown(this.restLength, new Float64Array(capacity));
     this.stiffness = grown(this.stiffness, new Float64Array(capacity));
     this.damping = grown(this.damping, new Float64Array(capacity));
   }
+}
+
+/** Whether some particle of a spring was removed since its slot was noted. Reads generations. */
+export function lostParticle(table: SpringTable, { generation }: ParticleArrays): boolean {
+  const { count, slotA, slotB, generationA, generationB } = table;
+  for (let s = 0; s < count; s++) {
+    const a = slotA[s];
+    const b = slotB[s];
+    if (a >= 0 && generation[a] !== generationA[s]) return true;
+    if (b >= 0 && generation[b] !== generationB[s]) return true;
+  }
+  return false;
 }
 
 /**

@@ -3,7 +3,7 @@ import { checkedEnd, type End, particleOf, requireTwoEnds, slotOfEnd } from '../
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import type { ForceGenerator } from './force-generator.ts';
 import { Spring } from './spring.ts';
-import { applySprings, type SpringKind, SpringTable } from './spring-table.ts';
+import { applySprings, lostParticle, type SpringKind, SpringTable } from './spring-table.ts';
 
 /** What a spring or a bungee is made of. */
 export interface SpringOptions {
@@ -101,7 +101,9 @@ export class Springs implements ForceGenerator, Iterable<Spring> {
   /** Reads x, y, vx, vy. Adds to fx, fy. */
   apply(particles: ParticleArrays): void {
     const table = this.#table;
-    if (table.dirty || this.#version !== particles.version || this.#particles !== particles) this.#refresh(particles);
+    if (table.dirty || this.#particles !== particles) this.#refresh(particles);
+    else if (this.#version !== particles.version && lostParticle(table, particles)) this.#refresh(particles);
+    this.#version = particles.version;
     applySprings(table, particles);
   }
 
@@ -109,6 +111,7 @@ export class Springs implements ForceGenerator, Iterable<Spring> {
   #refresh(particles: ParticleArrays): void {
     const table = this.#table;
     const springs = this.#springs;
+    const { generation } = particles;
     let kept = 0;
     for (let s = 0; s < springs.length; s++) {
       const spring = springs[s];
@@ -118,13 +121,15 @@ export class Springs implements ForceGenerator, Iterable<Spring> {
         spring.moveTo(kept);
         springs[kept] = spring;
       }
-      table.slotA[kept] = slotOfEnd('Springs', spring.a, particles);
-      table.slotB[kept] = slotOfEnd('Springs', spring.b, particles);
-      kept++;
+      const a = slotOfEnd('Springs', spring.a, particles);
+      const b = slotOfEnd('Springs', spring.b, particles);
+      table.slotA[kept] = a;
+      table.slotB[kept] = b;
+      table.generationA[kept] = generation[a]; // of a fixed point, at -1, it is written and not read
+      table.generationB[kept++] = generation[b];
     }
     springs.length = table.count = kept;
     table.dirty = false;
-    this.#version = particles.version;
     this.#particles = particles;
   }
 }

@@ -10,6 +10,8 @@ export interface ParticleArrays {
   readonly version: number;
   /** 1 where a particle lives, 0 where the slot is free. Written by the world alone. */
   readonly alive: Uint8Array;
+  /** Grows each time a slot is freed: tells one particle of a slot from the next that lives there. */
+  readonly generation: Uint32Array;
   /** Position. Unit: m. */
   readonly x: Float64Array;
   readonly y: Float64Array;
