@@ -31,8 +31,10 @@ function sineAfterQuarters(angle: number, more: number): number {
   const quarters = Math.floor(near / (TAU / 4) + 0.5);
   const upper = near - quarters * QUARTER_HIGH;
   const lower = quarters * QUARTER_MIDDLE;
-  const r = upper - lower;
-  const rest = upper - r - lower - quarters * QUARTER_LOW; // what rounding took from r, and the third part
+  const most = upper - lower;
+  const less = upper - most - lower - quarters * QUARTER_LOW;
+  const r = most + less;
+  const rest = most - r + less; // what does not fit into r
   const quadrant = quarters + more - 4 * Math.floor((quarters + more) / 4); // 0 to 3
   const value = quadrant === 0 || quadrant === 2 ? sineNearZero(r, rest) : cosineNearZero(r, rest);
   return quadrant < 2 ? value : -value;
