@@ -1,6 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import katex from 'katex';
 import { codeToHtml } from 'shiki';
+import { DEFAULT_SEED, defaultValues } from '../src/scenes/run.ts';
 import type { Scene } from '../src/scenes/scene.ts';
 import { Html, html } from './html.ts';
 import { type Assets, layout, shapeOf } from './layout.ts';
@@ -27,7 +28,7 @@ export async function scenePage(scene: Scene, neighbours: Neighbours, assets: As
 <p class="look">${scene.lookFor}</p>
 </header>
 <section class="stage" id="stage" aria-label="${scene.title}, running" style="--shape: ${shapeOf(scene)}"><button type="button" id="fit" class="fit" hidden>Fit the view</button><noscript>This scene is a program: it needs JavaScript.</noscript></section>
-${transport()}
+${transport(scene)}
 <div class="desk">
 <section class="controls" id="controls" aria-label="Controls">
 ${Object.entries(scene.parameters).map(
@@ -62,13 +63,17 @@ function navigation({ previous, next }: Neighbours): Html {
   return html`<nav aria-label="Scenes">${link(previous, 'prev', '←')}${link(next, 'next', '→')}</nav>`;
 }
 
-/** What is always at hand under the scene. The buttons of the scene's own actions are added when it runs. */
-function transport(): Html {
+/** What is always at hand under the scene: playback, and a button for each of the scene's own actions. */
+function transport(scene: Scene): Html {
+  const { actions = [] } = scene.build(defaultValues(scene), DEFAULT_SEED);
   return html`<div class="transport" id="transport" role="toolbar" aria-label="Playback">
 <button type="button" id="play" aria-keyshortcuts="Space"><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="icon-pause" d="M3 2h4v12H3zM9 2h4v12H9z"/><path class="icon-play" d="M3.5 1.5v13L14 8z"/></svg><span class="text">Pause</span></button>
 <button type="button" id="step" aria-keyshortcuts="." title="One step (.)"><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d="M2.5 1.5v13L10 8zM11 2h3v12h-3z"/></svg><span class="text">Step</span></button>
 <button type="button" id="reset" aria-keyshortcuts="r" title="From the start (r)"><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d="M8 2a6 6 0 1 1-5.7 4.1l1.7.6A4.2 4.2 0 1 0 8 3.8V6L4 3l4-3z"/></svg><span class="text">Reset</span></button>
-<span class="actions" id="actions"></span>
+<span class="actions">${actions.map(
+    ({ key, label, group }) =>
+      html`<button type="button" data-key="${key}" aria-keyshortcuts="${key}"${group === undefined ? '' : html` data-group="${group}"`}><kbd aria-hidden="true">${key}</kbd>${label}</button>`,
+  )}</span>
 <output class="statistics" id="statistics" aria-live="off"></output>
 </div>
 <p class="fault" id="fault" role="alert" hidden></p>`;

@@ -23,8 +23,7 @@ export class Keyboard {
 
   #meaning({ key, repeat }: KeyboardEvent, target: EventTarget | undefined): (() => void) | undefined {
     const stage = this.#stage;
-    const action = stage.setup.actions?.find((candidate) => candidate.key === key);
-    if (action) return () => stage.attempt(action.run);
+    if (stage.setup.actions?.some((action) => action.key === key)) return () => stage.act(key);
     if (key === '.') return () => stage.step();
     if (repeat) return undefined;
     if (key === 'r') return () => stage.reset();

@@ -1,4 +1,3 @@
-import type { Action } from '../scenes/scene.ts';
 import type { Stage } from '../stage/stage.ts';
 import { find } from './find.ts';
 
@@ -12,7 +11,9 @@ export class Transport {
     this.#play.addEventListener('click', () => this.togglePlaying());
     find('#step').addEventListener('click', () => stage.step());
     find('#reset').addEventListener('click', () => stage.reset());
-    find('#actions').append(...(stage.setup.actions ?? []).map((action) => this.#button(action)));
+    for (const button of document.querySelectorAll<HTMLElement>('[data-key]')) {
+      button.addEventListener('click', () => stage.act(button.dataset['key']));
+    }
     this.update();
     this.paint();
   }
@@ -37,23 +38,5 @@ export class Transport {
       const fill = this.#stage.style.groups?.[Number(button.dataset['group'])]?.fill;
       if (fill) button.style.setProperty('--swatch', fill);
     }
-  }
-
-  /** A reset makes new actions: the button looks its own up by the key. */
-  #button({ key, label, group }: Action): HTMLButtonElement {
-    const button = document.createElement('button');
-    button.type = 'button';
-    button.className = 'action';
-    button.setAttribute('aria-keyshortcuts', key);
-    if (group !== undefined) button.dataset['group'] = String(group);
-    const cap = document.createElement('kbd');
-    cap.textContent = key;
-    cap.setAttribute('aria-hidden', 'true');
-    button.append(cap, label);
-    button.addEventListener('click', () => {
-      const action = this.#stage.setup.actions?.find((candidate) => candidate.key === key);
-      if (action) this.#stage.attempt(action.run);
-    });
-    return button;
   }
 }

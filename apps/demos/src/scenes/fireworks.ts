@@ -25,7 +25,7 @@ const within = (x: number, y: number) => ({ minVelocity: { x: -x, y: -y }, maxVe
 /** The rules of a kind whose rockets burst into so many stars, and each of those into so many sparks. */
 function rulesOf(kind: number, stars: number, sparks: number): FireworkRule[] {
   const { speed, scatter, life } = kinds[kind];
-  const rise = { minVelocity: { x: -2, y: 12 }, maxVelocity: { x: 2, y: 15.5 }, minAge: 1, maxAge: 1.4, damping: 0.9 };
+  const rise = { minVelocity: { x: -2, y: 13 }, maxVelocity: { x: 2, y: 17 }, minAge: 1, maxAge: 1.4, damping: 0.9 };
   const payloads = shapes.map((_, shape) => ({ type: starOf(kind, shape), count: Math.ceil(stars / 3) }));
   return [
     { type: rocketOf(kind), ...rise, mass: 50, payloads },
@@ -49,7 +49,7 @@ export const fireworks: Scene<'sparks' | 'rate'> = {
   formula: String.raw`\mathbf{v}_\text{payload}=\mathbf{v}_\text{parent}+\mathbf{r},\qquad r_x\in[\min_x,\max_x],\quad r_y\in[\min_y,\max_y]`,
   parameters: {
     sparks: { label: 'Sparks in the sky', min: 500, max: 10_000, step: 500, value: 3000 },
-    rate: { label: 'Rockets', unit: 'a second', min: 0, max: 3, step: 0.25, value: 1.75, live: true },
+    rate: { label: 'Rockets', unit: 'a second', min: 0, max: 3, step: 0.25, value: 2, live: true },
   },
   show: { minX: -25, maxX: 25, minY: 0, maxY: 26 },
   poster: 2.2,
@@ -78,12 +78,13 @@ export const fireworks: Scene<'sparks' | 'rate'> = {
     const world = new World({ gravity: { x: 0, y: -2.5 }, capacity: 16_384 });
     const random = new Random(seed);
     const stars = 24 + Math.round(values.sparks / 80);
-    const sparks = Math.max(1, Math.round(values.sparks / stars / 1.65));
+    const sparks = Math.max(1, Math.round(values.sparks / stars / 1.9));
     const rules = kinds.flatMap((_, kind) => rulesOf(kind, stars, sparks));
     const show = world.addEffect(new Fireworks({ rules, seed, ground: { minX: -17, maxX: 17, y: 0 } }));
     world.addForce(new Drag({ k2: 0.4 }));
     show.launch(shellOf(2), { x: -7, y: 14 });
     let due = 0.9;
+    let launched = 0;
 
     return {
       world,
@@ -95,7 +96,7 @@ export const fireworks: Scene<'sparks' | 'rate'> = {
       })),
       tap: (at) => show.launch(shellOf(random.integer(0, 3)), at),
       beforeStep(dt) {
-        for (due += values.rate * dt; due >= 1; due--) show.launch(rocketOf(random.integer(0, 3)));
+        for (due += values.rate * dt; due >= 1; due--) show.launch(rocketOf(launched++ % 4));
       },
       readouts: () => [{ label: 'Bursts', value: show.bursts, digits: 0 }],
     };

@@ -26,7 +26,7 @@ export const forceGenerators: Scene<'gravity' | 'mass'> = {
     gravity: { label: 'Gravity', unit: 'm/s²', min: 1, max: 25, step: 0.01, value: 9.81 },
     mass: { label: 'Mass of each ball', unit: 'kg', min: 0.25, max: 4, step: 0.25, value: 1 },
   },
-  show: { minX: -28, maxX: 23, minY: -2.2, maxY: 21.6 },
+  show: { minX: -28, maxX: 23, minY: -0.5, maxY: 23.6 },
   draggable: true,
   style: ({ series, accent }) => ({
     particle: { fill: series[0], minRadius: 5, trail: { seconds: 0.25, width: 4 } },
@@ -50,12 +50,12 @@ export const forceGenerators: Scene<'gravity' | 'mass'> = {
     release();
 
     const rows: Guide[] = [
-      { kind: 'label', x: -27.5, y: 20.7, text: 'k₁', align: 'left' },
-      { kind: 'label', x: -27.5, y: -1.2, text: 'm·g / k₁', align: 'left' },
+      { kind: 'label', x: -27.5, y: 22.6, text: 'k₁', align: 'left' },
+      { kind: 'label', x: -27.5, y: 20.9, text: 'm·g / k₁', align: 'left' },
     ];
     const lanes = coefficients.flatMap((k1, lane): Guide[] => [
-      { kind: 'label', x: xOf(lane), y: 20.7, text: `${k1}`, tone: 'ink' },
-      { kind: 'label', x: xOf(lane), y: -1.2, text: k1 === 0 ? '∞' : ((mass * gravity) / k1).toFixed(1), tone: 'ink' },
+      { kind: 'label', x: xOf(lane), y: 22.6, text: `${k1}`, tone: 'ink' },
+      { kind: 'label', x: xOf(lane), y: 20.9, text: k1 === 0 ? '∞' : ((mass * gravity) / k1).toFixed(1), tone: 'ink' },
       ...Array.from({ length: period / flash }, (_, n) => top - fallen(gravity, mass, k1, n * flash))
         .filter((y) => y > 0)
         .map((y): Guide => ({ kind: 'curve', points: [xOf(lane) - 1, y, xOf(lane) + 1, y], opacity: 0.6 })),

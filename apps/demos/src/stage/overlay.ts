@@ -38,7 +38,7 @@ export class Overlay {
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.clearRect(0, 0, context.canvas.width, context.canvas.height);
     context.scale(this.#ratio, this.#ratio);
-    context.lineWidth = Math.max(1, Math.round(LINE * this.#ratio)) / this.#ratio;
+    const line = Math.max(1, Math.round(LINE * this.#ratio)) / this.#ratio;
     context.lineCap = 'round';
     context.lineJoin = 'round';
     context.font = `500 ${ink.textSize}px system-ui, sans-serif`;
@@ -46,6 +46,7 @@ export class Overlay {
     for (const guide of guides) {
       const color = colorOf(guide.tone ?? 'quiet', ink);
       context.globalAlpha = guide.opacity ?? 1;
+      context.lineWidth = line;
       context.strokeStyle = color;
       context.fillStyle = color;
       drawGuide(context, guide, camera, ink);
@@ -57,7 +58,10 @@ export class Overlay {
 function drawGuide(context: CanvasRenderingContext2D, guide: Guide, camera: Camera, ink: Ink): void {
   switch (guide.kind) {
     case 'curve':
-      context.setLineDash(guide.dashed ? [1, 5] : []);
+      if (guide.dashed) {
+        context.setLineDash([0.1, 5]);
+        context.lineWidth *= 1.7;
+      }
       if (guide.points.length === 4 && guide.points[1] === guide.points[3]) drawLevel(context, guide.points, camera);
       else drawCurve(context, guide.points, camera);
       context.setLineDash([]);
@@ -139,10 +143,8 @@ function drawLabel(
   const screenY = camera.toScreenY(y);
   const color = context.fillStyle;
   context.strokeStyle = style.background ?? palette.paper;
-  const width = context.lineWidth;
   context.lineWidth = 4;
   context.strokeText(text, screenX, screenY);
-  context.lineWidth = width;
   context.fillStyle = color;
   context.fillText(text, screenX, screenY);
 }

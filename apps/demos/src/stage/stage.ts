@@ -206,6 +206,13 @@ export class Stage {
     this.invalidate();
   }
 
+  /** Does what a key of the scene's own does. Returns whether there is such a key. */
+  act(key: string | undefined): boolean {
+    const action = this.#setup.actions?.find((candidate) => candidate.key === key);
+    if (action) this.attempt(action.run);
+    return action !== undefined;
+  }
+
   /** Tells that a value was changed which the running scene reads by itself. */
   announce(): void {
     this.invalidate();
@@ -271,13 +278,15 @@ export class Stage {
 
   /** A resize is drawn before it is painted: nothing flashes, nothing jumps. */
   readonly #measure = (entries: readonly ResizeObserverEntry[]): void => {
+    const ratio = window.devicePixelRatio;
     for (const { target, contentRect, devicePixelContentBoxSize } of entries) {
-      const ratio = window.devicePixelRatio;
-      // The browser rounds boxes to whole device px: a canvas of exactly as many is crisp. Safari does not tell.
+      // The browser rounds boxes to whole device px: a canvas of exactly as many is crisp. Where it does not tell them, or
+      // tells CSS px under another name, as while a device is emulated, rounding is guessed.
       const exact = devicePixelContentBoxSize?.[0];
-      const width = exact ? exact.inlineSize / ratio : Math.round(contentRect.width * ratio) / ratio;
-      const height = exact ? exact.blockSize / ratio : Math.round(contentRect.height * ratio) / ratio;
-      this.#panes.find(({ element }) => element === target)?.resize(width, height, ratio);
+      const sure = exact !== undefined && Math.abs(exact.inlineSize - contentRect.width * ratio) < 2;
+      const width = sure ? exact.inlineSize : Math.round(contentRect.width * ratio);
+      const height = sure ? exact.blockSize : Math.round(contentRect.height * ratio);
+      this.#panes.find(({ element }) => element === target)?.resize(width / ratio, height / ratio, ratio);
     }
     this.#guard(() => this.#draw());
   };
