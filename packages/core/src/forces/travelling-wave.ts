@@ -1,5 +1,5 @@
 import { requireFinite, requireNonNegative, requireOptions, requirePositive } from '../math/checks.ts';
-import { sineOfTurns } from '../math/sine.ts';
+import { sin } from '../math/trigonometry.ts';
 import type { LiquidLevel } from './buoyancy.ts';
 
 /** What a wave is made of. */
@@ -26,5 +26,8 @@ export function travellingWave(options: TravellingWaveOptions): LiquidLevel {
   requirePositive('travellingWave', 'length', length, 'metres');
   const { speed = Math.sqrt((9.81 * length) / (2 * Math.PI)) } = options;
   requireFinite('travellingWave', 'speed', speed, 'metres per second');
-  return (x, time) => level + amplitude * sineOfTurns((x - speed * time) / length);
+  return (x, time) => {
+    const turns = (x - speed * time) / length;
+    return level + amplitude * sin(2 * Math.PI * (turns - Math.floor(turns))); // whole turns go without rounding
+  };
 }
