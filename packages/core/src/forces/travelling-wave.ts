@@ -1,5 +1,5 @@
 import { requireFinite, requireNonNegative, requireOptions, requirePositive } from '../math/checks.ts';
-import { sin } from '../math/trigonometry.ts';
+import { sineOfTurns } from '../math/sine.ts';
 import type { LiquidLevel } from './buoyancy.ts';
 
 /** What a wave is made of. */
@@ -26,8 +26,5 @@ export function travellingWave(options: TravellingWaveOptions): LiquidLevel {
   requirePositive('travellingWave', 'length', length, 'metres');
   const { speed = Math.sqrt((9.81 * length) / (2 * Math.PI)) } = options;
   requireFinite('travellingWave', 'speed', speed, 'metres per second');
-  return (x, time) => {
-    const turns = (x - speed * time) / length;
-    return level + amplitude * sin(2 * Math.PI * (turns - Math.floor(turns))); // whole turns go without rounding
-  };
+  return (x, time) => level + amplitude * sineOfTurns((x - speed * time) / length);
 }
