@@ -1,3 +1,16 @@
+export { aggregate } from './bodies/aggregate.ts';
+export type { Body, Pose } from './bodies/body.ts';
+export type { BodyOptions, SharedOptions } from './bodies/body-options.ts';
+export type { BodyParts, BodySite, LinkPlan } from './bodies/body-parts.ts';
+export type { BodyPlan } from './bodies/body-plan.ts';
+export type { BoxBodyOptions } from './bodies/box.ts';
+export { box } from './bodies/box.ts';
+export type { ChainOptions } from './bodies/chain.ts';
+export { chain } from './bodies/chain.ts';
+export type { PolygonBodyOptions, RegularPolygonOptions } from './bodies/polygon.ts';
+export { polygon, regularPolygon } from './bodies/polygon.ts';
+export type { TriangleBodyOptions } from './bodies/triangle.ts';
+export { triangle } from './bodies/triangle.ts';
 export type { BoxOptions } from './collision/box.ts';
 export { Box } from './collision/box.ts';
 export type { DiscOptions } from './collision/disc.ts';

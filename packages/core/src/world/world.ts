@@ -1,3 +1,6 @@
+import { Bodies } from '../bodies/bodies.ts';
+import type { Body } from '../bodies/body.ts';
+import type { BodyPlan } from '../bodies/body-plan.ts';
 import type { Shape } from '../collision/shape.ts';
 import type { ContactArrays } from '../contacts/contact-arrays.ts';
 import { ContactBuffer } from '../contacts/contact-buffer.ts';
@@ -56,6 +59,7 @@ export class World implements ParticleSpawner {
   readonly #forces = new ForceRegistry(this.#store);
   readonly #sources = new ContactSources(this.#store);
   readonly #effects = new Members<Effect>('an effect', 'afterStep(world, expired, dt)');
+  readonly #bodies = new Bodies(this);
   readonly #events = new EventQueue();
   readonly #simulation: { -readonly [Part in keyof Simulation]: Simulation[Part] };
   readonly #resolver: Resolver;
@@ -124,6 +128,11 @@ export class World implements ParticleSpawner {
   /** The static shapes. */
   get shapes(): readonly Shape[] {
     return this.#sources.shapes.list;
+  }
+
+  /** The bodies that have a particle left. */
+  get bodies(): readonly Body[] {
+    return this.#bodies.list;
   }
 
   /** The contacts of the last step, as typed arrays: to read. */
@@ -203,6 +212,18 @@ export class World implements ParticleSpawner {
   removeLink(link: Link): void {
     this.#requireBetweenSteps('World.removeLink');
     this.#sources.removeLink('World.removeLink', link);
+  }
+
+  /** Builds a body, such as `box({ … })`, whole or, where it cannot be, not at all. @returns The body. */
+  addBody(plan: BodyPlan): Body {
+    this.#requireBetweenSteps('World.addBody');
+    return this.#bodies.add('World.addBody', plan);
+  }
+
+  /** Takes a body out of the world: its particles and all that hangs on them. */
+  removeBody(body: Body): void {
+    this.#requireBetweenSteps('World.removeBody');
+    this.#bodies.remove('World.removeBody', body);
   }
 
   /** Adds immovable scenery. @returns The shape. */
