@@ -98,13 +98,15 @@ test('light and dark follow the system until the reader chooses, and the choice 
   await page.emulateMedia({ colorScheme: 'dark' });
   await openScene(page, 'projectiles');
   const dark = await ground();
+  const fill = () => read(page, ({ stage }) => stage.style.groups?.[0].fill);
+  const darkFill = await fill();
   await page.emulateMedia({ colorScheme: 'light' });
   await expect.poll(ground).not.toBe(dark);
   const light = await ground();
-  const fill = await read(page, ({ stage }) => stage.style.groups?.[0].fill);
+  await expect.poll(fill).not.toBe(darkFill);
   await page.getByRole('button', { name: 'Switch between light and dark' }).click();
   await expect.poll(ground).toBe(dark);
-  expect(await read(page, ({ stage }) => stage.style.groups?.[0].fill)).not.toBe(fill);
+  await expect.poll(fill).toBe(darkFill);
   await page.reload();
   await expect.poll(ground).toBe(dark);
   await page.getByRole('button', { name: 'Switch between light and dark' }).click();

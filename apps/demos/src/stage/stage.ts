@@ -6,6 +6,7 @@ import type { Guide, Scene, Setup, Values } from '../scenes/scene.ts';
 import { canvasPicture, makePicture } from './make-picture.ts';
 import { Pane } from './pane.ts';
 import type { Picture } from './picture.ts';
+import { observePixels, type PixelObserver } from './pixel-observer.ts';
 import type { RendererKind } from './renderers.ts';
 import { Statistics } from './statistics.ts';
 
@@ -39,7 +40,7 @@ export class Stage {
   speed = 1;
   readonly #host: HTMLElement;
   readonly #options: StageOptions;
-  readonly #resizes: ResizeObserver;
+  readonly #resizes: PixelObserver;
   readonly #sight: IntersectionObserver;
   readonly #panes: Pane[] = [];
   #setup: Setup;
@@ -76,8 +77,12 @@ export class Stage {
       host.append(pane.element);
     }
     this.#paintGround();
-    this.#resizes = new ResizeObserver(this.#measure);
-    for (const { element } of this.#panes) observeSize(this.#resizes, element);
+    // A resize is drawn before it is painted: nothing flashes, nothing jumps.
+    this.#resizes = observePixels((element, width, height, ratio) => {
+      this.#panes.find((pane) => pane.element === element)?.resize(width, height, ratio);
+      this.#guard(() => this.#draw());
+    });
+    for (const { element } of this.#panes) this.#resizes.observe(element);
     this.#sight = new IntersectionObserver((entries) => {
       this.#inSight = entries[entries.length - 1].isIntersecting;
       this.invalidate();
@@ -276,21 +281,6 @@ export class Stage {
     return [this.#setup, ...(this.#setup.beside ?? [])];
   }
 
-  /** A resize is drawn before it is painted: nothing flashes, nothing jumps. */
-  readonly #measure = (entries: readonly ResizeObserverEntry[]): void => {
-    const ratio = window.devicePixelRatio;
-    for (const { target, contentRect, devicePixelContentBoxSize } of entries) {
-      // The browser rounds boxes to whole device px: a canvas of exactly as many is crisp. Where it does not tell them, or
-      // tells CSS px under another name, as while a device is emulated, rounding is guessed.
-      const exact = devicePixelContentBoxSize?.[0];
-      const sure = exact !== undefined && Math.abs(exact.inlineSize - contentRect.width * ratio) < 2;
-      const width = sure ? exact.inlineSize : Math.round(contentRect.width * ratio);
-      const height = sure ? exact.blockSize : Math.round(contentRect.height * ratio);
-      this.#panes.find(({ element }) => element === target)?.resize(width / ratio, height / ratio, ratio);
-    }
-    this.#guard(() => this.#draw());
-  };
-
   #paintGround(): void {
     this.#host.style.setProperty('--ground', this.#style.background ?? '');
   }
@@ -314,13 +304,5 @@ export class Stage {
     if (!this.#options.failed) throw error;
     this.#options.failed(error);
     this.#options.changed?.();
-  }
-}
-
-function observeSize(observer: ResizeObserver, element: HTMLElement): void {
-  try {
-    observer.observe(element, { box: 'device-pixel-content-box' });
-  } catch {
-    observer.observe(element);
   }
 }
