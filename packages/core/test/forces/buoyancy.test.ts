@@ -181,6 +181,18 @@ describe('a level that moves', () => {
     expect(water.levelAt(2)).toBe(2 + 2 / 64);
   });
 
+  it('[F35] after a step that failed the time is that of the world, as before it', () => {
+    const times: number[] = [];
+    const [world, box] = afloat({ level: (_x: number, time: number) => times.push(time) && 0 }, { y: 0 });
+    world.step(1 / 64);
+    world.particles.vx[box.slot] = Number.NaN;
+    expect(() => world.step(1 / 64)).toThrow('finite');
+    box.vx = 0;
+    times.length = 0;
+    world.step(1 / 64);
+    expect(times).toEqual([1 / 64]);
+  });
+
   it('[F35] a level that is no number is named with its generator', () => {
     const [world] = afloat({ level: () => Number.NaN }, { y: 0 });
     expect(() => world.step(1 / 60)).toThrow('Buoyancy');

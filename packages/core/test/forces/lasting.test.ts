@@ -78,6 +78,20 @@ describe('a force that lasts', () => {
     expect(rocket.vx).toBeCloseTo(1.2, 12);
   });
 
+  it('[F70] a step that failed does not count', () => {
+    const world = new World();
+    const rocket = world.addParticle({ x: 0, y: 0 });
+    world.addForce(lasting(push, 0.25), [rocket]);
+    let fault = false;
+    world.addForce({ apply: ({ fx }) => void (fx[rocket.slot] *= fault ? Number.NaN : 1) });
+    world.step(0.1);
+    fault = true;
+    expect(() => world.step(0.1)).toThrow('finite');
+    fault = false;
+    run(world, 1, 0.1);
+    expect(rocket.vx).toBeCloseTo(0.75, 12);
+  });
+
   it('[F70] the share of the last step holds for particles that are no targets too, as with springs', () => {
     const world = new World();
     const bob = world.addParticle({ x: 2, y: 0 });
