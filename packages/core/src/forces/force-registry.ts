@@ -1,4 +1,5 @@
 import { describe } from '../math/checks.ts';
+import { requireMembers } from '../particles/membership.ts';
 import type { Particle } from '../particles/particle.ts';
 import type { ParticleStore } from '../particles/particle-store.ts';
 import type { ForceGenerator } from './force-generator.ts';
@@ -25,8 +26,21 @@ export class ForceRegistry {
     this.#everyone = new AllTargets(store);
   }
 
+  /** The generators, in the order in which they run. */
+  get list(): readonly ForceGenerator[] {
+    return this.#generators;
+  }
+
   /** Adds particles to those that a generator acts on; without a list it acts on all, those to come included. */
   add(generator: ForceGenerator, particles?: Iterable<Particle>): void {
+    if (typeof generator === 'function') {
+      // It has a method `apply`, that of every function: the likeliest slip must not pass for a generator.
+      throw new TypeError(
+        `World.addForce: a force generator must have a method apply(particles, targets, dt); got ${describe(generator)}. ` +
+          'Wrap a function of one particle in forEachParticle.',
+      );
+    }
+    if (particles === null) requireMembers('World.addForce', particles, this.#store);
     let targets = this.#targets.get(generator);
     if (particles === undefined) {
       targets = this.#everyone;

@@ -19,8 +19,9 @@ export function describe(value: unknown): string {
 
 /** An object to take options out of; `example` shows one. */
 export function requireOptions(where: string, name: string, value: object, example: string): void {
-  if (typeof value !== 'object' || value === null)
-    fail(where, `${name} must be an object such as ${example}`, value, '');
+  if (typeof value !== 'object' || value === null) {
+    throw new TypeError(`${where}: ${name} must be an object such as ${example}; got ${describe(value)}.`);
+  }
 }
 
 /** A function; `what` says of what. */

@@ -1,3 +1,4 @@
+import type { DampingPowers } from './damping-powers.ts';
 import type { ParticleArrays } from './particle-arrays.ts';
 
 /** The particles as the integrators see them: with word of what no particle has, so that its pass can be left out. */
@@ -6,4 +7,6 @@ export interface MotionArrays extends ParticleArrays {
   readonly accelerated: boolean;
   /** Whether anyone asked for `damping`: if not, every damping is 1. */
   readonly damped: boolean;
+  /** What the dampings come to in a step. */
+  readonly dampingPowers: DampingPowers;
 }

@@ -1,3 +1,4 @@
+import { DampingPowers } from './damping-powers.ts';
 import type { MotionArrays } from './motion-arrays.ts';
 import { Particle } from './particle.ts';
 import type { ParticleSlots } from './particle-slots.ts';
@@ -38,6 +39,7 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
   lifetime: Float64Array = new Float64Array(FIRST_CAPACITY);
   group: Uint16Array = new Uint16Array(FIRST_CAPACITY);
 
+  readonly dampingPowers: DampingPowers = new DampingPowers();
   accelerated = false;
   damped = false;
   #ax: Float64Array = new Float64Array(FIRST_CAPACITY);

@@ -16,7 +16,7 @@ export class ContactWatch {
    */
   compare(contacts: ContactBuffer, sources: ContactSources, store: ParticleStore, events: EventQueue): void {
     if (!events.has('contactBegin') && !events.has('contactEnd')) {
-      this.#touching.clear();
+      if (this.#touching.size > 0) this.#touching.clear(); // clearing allocates, even what is empty
       return;
     }
     const before = this.#touching;

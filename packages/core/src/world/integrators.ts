@@ -1,4 +1,3 @@
-import { pow } from '../math/exact.ts';
 import type { Vec2 } from '../math/vec2.ts';
 import type { MotionArrays } from '../particles/motion-arrays.ts';
 
@@ -62,13 +61,16 @@ function accelerate({ count, vx, vy, fx, fy, inverseMass }: MotionArrays, gravit
 }
 
 /**
- * v' = v·d^dt. Particles of one damping in a row share one power, and no call stands inside the inner loop: with one there,
- * V8 reads every array's address anew for each particle. Reads damping, inverseMass. Writes vx, vy.
+ * v' = v·d^dt. Particles of one damping in a row share one look at the powers, and no call stands inside the inner loop: with
+ * one there, V8 reads every array's address anew for each particle. Reads damping, inverseMass. Writes vx, vy.
  */
-function damp({ count, vx, vy, damping, inverseMass }: MotionArrays, dt: number): void {
+function damp({ count, vx, vy, damping, inverseMass, dampingPowers }: MotionArrays, dt: number): void {
+  dampingPowers.prepare(damping.length, dt);
+  const { bases, powers } = dampingPowers;
   for (let i = 0; i < count; ) {
     const d = damping[i];
-    const kept = pow(d, dt);
+    if (bases[i] !== d) dampingPowers.compute(i, damping);
+    const kept = powers[i];
     for (; i < count && damping[i] === d; i++) {
       const k = inverseMass[i] === 0 ? 1 : kept;
       vx[i] = vx[i] * k + FLUSH - FLUSH;

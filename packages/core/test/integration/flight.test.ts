@@ -142,6 +142,25 @@ describe('damping', () => {
     expect(world.particles.vx[9]).toBe(3);
   });
 
+  it('[I5] can change at any time, as can the step, the particle of a slot, and how many there are', () => {
+    const world = new World();
+    const other = world.addParticle({ x: 0, y: 0, vx: 8, damping: 0.125 });
+    const particle = world.addParticle({ x: 0, y: 0, vx: 8, damping: 0.25 });
+    const keptBy = (dt: number) => {
+      const before = particle.vx;
+      world.step(dt);
+      return particle.vx / before;
+    };
+    expect([keptBy(0.5), keptBy(0.5), keptBy(1), keptBy(0.5)]).toEqual([0.5, 0.5, 0.25, 0.5]);
+    particle.damping = 0.0625;
+    expect([keptBy(0.5), keptBy(0.25)]).toEqual([0.25, 0.5]);
+    other.remove();
+    const next = world.addParticle({ x: 0, y: 0, vx: 8, damping: 0.5 });
+    for (let i = 0; i < 500; i++) world.addParticle({ x: 0, y: 0, damping: 0.9 });
+    world.step(2);
+    expect(next.vx).toBe(2);
+  });
+
   it('[I9] motion that decays ends at 0, not in subnormal numbers', () => {
     const world = new World();
     const particle = world.addParticle({ x: 0, y: 0, vx: 10, vy: -10, damping: 0.01 });
