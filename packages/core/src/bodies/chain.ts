@@ -1,6 +1,5 @@
-import { DistanceLink } from '../links/distance-link.ts';
+import { DistanceLink, distanceNow } from '../links/distance-link.ts';
 import { requireInteger, requireOptions, requirePositive } from '../math/checks.ts';
-import type { Vec2 } from '../math/vec2.ts';
 import { checkedEnd, type End } from '../particles/end.ts';
 import { Particle } from '../particles/particle.ts';
 import { aggregate } from './aggregate.ts';
@@ -54,6 +53,9 @@ export function chain(options: ChainOptions): BodyPlan {
   const end = checkedChainEnd('to', to, freeTo);
   const total = checkedLength(start, end, length);
   const count = checkedCount(total, links, linkLength);
+  if (kind === 'rod' && count === 1 && total > distanceNow(start, end)) {
+    throw new RangeError('chain: a single rod must be as long as the way between its ends. Leave out length.');
+  }
   const places = arc(start, end, total, count);
   const first = freeFrom ? 0 : 1;
   const last = freeTo ? count : count - 1;
@@ -89,10 +91,8 @@ function checkedChainEnd(name: string, end: End, free: boolean): End {
   return checked;
 }
 
-function checkedLength(start: Readonly<Vec2>, end: Readonly<Vec2>, length: number | undefined): number {
-  const dx = end.x - start.x;
-  const dy = end.y - start.y;
-  const distance = Math.sqrt(dx * dx + dy * dy);
+function checkedLength(start: End, end: End, length: number | undefined): number {
+  const distance = distanceNow(start, end);
   const total = length ?? distance;
   requirePositive(
     'chain',

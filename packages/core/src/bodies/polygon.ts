@@ -39,7 +39,7 @@ export function regularPolygon(options: RegularPolygonOptions): BodyPlan {
     const angle = ((2 * corner - 1) / sides) * Math.PI; // from straight down
     corners.push({ x: circumradius * sin(angle), y: -circumradius * cos(angle) });
   }
-  return stiffBody(where, corners, others);
+  return stiffBody(where, corners, others, 'polygon');
 }
 
 /**

@@ -12,7 +12,12 @@ import { braces } from './braces.ts';
  * velocity of a rigid body, v + ω × r. Turned by exact sine and cosine, so that every engine builds the same bits.
  * @param corners - Around their mean, which comes to lie at (x, y).
  */
-export function stiffBody(where: string, corners: readonly Readonly<Vec2>[], options: BodyOptions): BodyPlan {
+export function stiffBody(
+  where: string,
+  corners: readonly Readonly<Vec2>[],
+  options: BodyOptions,
+  kind: string = where,
+): BodyPlan {
   const { x, y, angle = 0, angularVelocity = 0, ...shared } = options;
   const { particle, breaking, mass } = checkedShares(where, shared);
   checkPlacing(where, options);
@@ -36,5 +41,5 @@ export function stiffBody(where: string, corners: readonly Readonly<Vec2>[], opt
     b,
     join: (p: End, q: End) => rod(p, q, breaking),
   }));
-  return aggregate({ kind: where, particles, links, angle });
+  return aggregate({ kind, particles, links, angle });
 }
