@@ -1,0 +1,32 @@
+import { type ContactBuffer, SCENERY } from '../../contacts/contact-buffer.ts';
+import type { ParticleArrays } from '../../particles/particle-arrays.ts';
+
+/**
+ * A contact rests when it closes no faster than the acceleration of a step and of the one before can make it: found a step
+ * late, as it may be, a thing at rest closes with twice the speed that one step builds. The last hundredth is for rounding.
+ */
+const RESTING_SLACK = 2.02;
+
+/**
+ * The closing speed up to which a contact rests: what the acceleration of its two particles in this step, each towards the
+ * other, can build. The acceleration is the total one, as the step found it. (Each on its own, not their difference: so
+ * the upper of two that fell together rests on the lower that has just been stopped.)
+ * Reads vx, vy, normal and the velocities before the forces acted. Writes resting.
+ */
+export function findRestingSpeeds(
+  { count, a, b, normalX, normalY }: ContactBuffer,
+  { vx, vy }: ParticleArrays,
+  before: { readonly vx: Float64Array; readonly vy: Float64Array },
+  resting: Float64Array,
+): void {
+  const { vx: ux, vy: uy } = before;
+  for (let c = 0; c < count; c++) {
+    const i = a[c];
+    const j = b[c];
+    const nx = normalX[c];
+    const ny = normalY[c];
+    let speed = Math.max(0, -((vx[i] - ux[i]) * nx + (vy[i] - uy[i]) * ny));
+    if (j !== SCENERY) speed += Math.max(0, (vx[j] - ux[j]) * nx + (vy[j] - uy[j]) * ny);
+    resting[c] = speed * RESTING_SLACK;
+  }
+}
