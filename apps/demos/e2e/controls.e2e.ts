@@ -69,7 +69,7 @@ test('the renderer is changed while the scene runs, and kept in the address', as
   await expect.poll(() => read(page, ({ world }) => world.time)).toBeGreaterThan(time);
   await page.getByRole('radio', { name: 'Canvas 2D' }).click();
   await expect.poll(() => read(page, ({ renderer }) => renderer)).toBe('canvas2d');
-  expect(new URL(page.url()).search).toBe('');
+  await expect(page).toHaveURL(/\/projectiles\/$/);
 });
 
 test('PixiJS is loaded only when it is chosen', async ({ page }) => {

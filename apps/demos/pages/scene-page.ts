@@ -27,7 +27,7 @@ export async function scenePage(scene: Scene, neighbours: Neighbours, assets: As
 <h1>${scene.title}</h1>
 <p class="look">${scene.lookFor}</p>
 </header>
-<section class="stage" id="stage" aria-label="${scene.title}, running" style="--shape: ${shapeOf(scene)}"><button type="button" id="fit" class="fit" hidden>Fit the view</button><noscript>This scene is a program: it needs JavaScript.</noscript></section>
+<section class="stage" id="stage" aria-label="${scene.title}, running" style="--shape: ${shapeOf(scene)}"><button type="button" id="fit" class="fit" title="All of the scene (0)" hidden>Fit the view</button><noscript>This scene is a program: it needs JavaScript.</noscript></section>
 ${transport(scene)}
 <div class="desk">
 <section class="controls" id="controls" aria-label="Controls">

@@ -27,6 +27,7 @@ export class Keyboard {
     if (key === '.') return () => stage.step();
     if (repeat) return undefined;
     if (key === 'r') return () => stage.reset();
+    if (key === '0') return () => stage.fit();
     // On a button, a link or a choice the space bar has a meaning already.
     const pressable =
       target instanceof Element && target.closest('button, a, summary, wa-radio, [role="radio"]') !== null;

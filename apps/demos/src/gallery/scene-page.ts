@@ -14,6 +14,7 @@ const address = readAddress(scene, location.search);
 const host = find('#stage');
 const fault = find('#fault');
 const fitButton = find('#fit');
+let addressTimer = 0;
 
 const stage = new Stage(host, {
   scene,
@@ -23,20 +24,16 @@ const stage = new Stage(host, {
   failed: showFault,
   changed: () => {
     if (!stage.failed) fault.hidden = true;
+    fitButton.hidden = stage.fitted;
     transport.update();
     keepAddress();
   },
 });
 const transport = new Transport(stage);
-new Hand(stage, () => {
-  fitButton.hidden = false;
-});
+new Hand(stage);
 new Keyboard(stage, () => transport.togglePlaying());
 new Readings(stage);
-fitButton.addEventListener('click', () => {
-  stage.fit();
-  fitButton.hidden = true;
-});
+fitButton.addEventListener('click', () => stage.fit());
 watchTheme((palette) => {
   stage.usePalette(palette);
   transport.paint();
@@ -50,14 +47,14 @@ const { addControls } = await import('./controls.ts');
 addControls(stage, address.renderer);
 await ready;
 
-/** Keeps the address as what is seen, so that it can be sent to somebody. */
+/** Keeps the address as what is seen, so that it can be sent to somebody; not too often, which browsers refuse. */
 function keepAddress(): void {
-  const { renderer, seed, values } = stage;
-  history.replaceState(
-    null,
-    '',
-    `${location.pathname}${writeAddress(scene, { renderer, seed, values })}${location.hash}`,
-  );
+  clearTimeout(addressTimer);
+  addressTimer = window.setTimeout(() => {
+    const { renderer, seed, values } = stage;
+    const search = writeAddress(scene, { renderer, seed, values });
+    if (search !== location.search) history.replaceState(null, '', `${location.pathname}${search}${location.hash}`);
+  }, 150);
 }
 
 /** An error of a step is shown, not hidden in the console; a reset goes on. */

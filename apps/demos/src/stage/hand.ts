@@ -1,5 +1,5 @@
 import type { Particle } from '@mass/core';
-import { type Camera, pickParticle } from '@mass/core/view';
+import { pickParticle } from '@mass/core/view';
 import type { Guide, Point } from '../scenes/scene.ts';
 import { Grab } from './grab.ts';
 import type { Pane } from './pane.ts';
@@ -24,14 +24,11 @@ type Gesture =
  */
 export class Hand {
   readonly #stage: Stage;
-  /** Called when the camera was moved. */
-  readonly #moved: () => void;
   readonly #gestures = new Map<number, Gesture>();
   readonly #touches = new Map<number, { x: number; y: number }>();
 
-  constructor(stage: Stage, moved: () => void) {
+  constructor(stage: Stage) {
     this.#stage = stage;
-    this.#moved = moved;
     stage.extraGuides = () => this.#guides();
     for (const pane of stage.panes) this.#listen(pane);
   }
@@ -92,7 +89,7 @@ export class Hand {
         this.#stage.setup.pointer?.move?.(at);
         break;
       case 'pan':
-        this.#moveCameras((camera) => camera.pan(event.movementX, event.movementY));
+        this.#stage.moveCameras((camera) => camera.pan(event.movementX, event.movementY));
         break;
       case undefined:
         if (event.pointerType === 'mouse') {
@@ -141,7 +138,7 @@ export class Hand {
     const other = [...this.#touches].find(([id]) => id !== pointer)?.[1];
     if (!other) return;
     const factor = distance(now, other) / Math.max(1, distance(before, other));
-    this.#moveCameras((camera) => {
+    this.#stage.moveCameras((camera) => {
       camera.pan((now.x - before.x) / 2, (now.y - before.y) / 2);
       camera.zoomAt((now.x + other.x) / 2, (now.y + other.y) / 2, Math.max(0.5, Math.min(2, factor)));
     });
@@ -153,13 +150,7 @@ export class Hand {
     event.preventDefault();
     const { x, y } = screenPoint(pane, event);
     const pixels = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? event.deltaY * 16 : event.deltaY;
-    this.#moveCameras((camera) => camera.zoomAt(x, y, Math.exp(-Math.max(-200, Math.min(200, pixels)) / 300)));
-  }
-
-  #moveCameras(move: (camera: Camera) => void): void {
-    for (const { camera } of this.#stage.panes) move(camera);
-    this.#stage.invalidate();
-    this.#moved();
+    this.#stage.moveCameras((camera) => camera.zoomAt(x, y, Math.exp(-Math.max(-200, Math.min(200, pixels)) / 300)));
   }
 
   #pick(pane: Pane, { pointerType }: { pointerType: string }, at: Point): Particle | undefined {

@@ -1,5 +1,5 @@
 import { FixedTimestep } from '@mass/core';
-import type { Style } from '@mass/core/view';
+import type { Camera, Style } from '@mass/core/view';
 import type { Palette } from '../scenes/palette.ts';
 import { DEFAULT_STEP, stepSetup } from '../scenes/run.ts';
 import type { Guide, Scene, Setup, Values } from '../scenes/scene.ts';
@@ -51,6 +51,7 @@ export class Stage {
   #playing = false;
   #failed = false;
   #inSight = true;
+  #fitted = true;
   #destroyed = false;
   #frame = 0;
   #lastTime = Number.NaN;
@@ -224,10 +225,25 @@ export class Stage {
     this.#options.changed?.();
   }
 
+  /** Whether the view is as the scene has it. */
+  get fitted(): boolean {
+    return this.#fitted;
+  }
+
   /** The view as the scene has it. */
   fit(): void {
-    for (const { camera } of this.#panes) camera.fit(this.scene.show);
+    this.moveCameras((camera) => camera.fit(this.scene.show));
+    this.#fitted = true;
+    this.#options.changed?.();
+  }
+
+  /** Moves the camera of each pane in the same way. */
+  moveCameras(move: (camera: Camera) => void): void {
+    for (const { camera } of this.#panes) move(camera);
     this.invalidate();
+    if (!this.#fitted) return;
+    this.#fitted = false;
+    this.#options.changed?.();
   }
 
   /** Asks for a frame, where none is coming anyway. */
