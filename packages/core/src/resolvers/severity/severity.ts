@@ -42,8 +42,8 @@ class SeverityResolver implements Resolver {
     this.#iterations = iterations;
   }
 
-  step({ particles, forces, sources, contacts, integrate, gravity, before }: Simulation, dt: number): boolean {
-    forces.apply(dt);
+  step({ particles, forces, sources, contacts, integrate, gravity, before, time }: Simulation, dt: number): boolean {
+    forces.apply(dt, time);
     if (!integrate(particles, gravity, dt)) return false;
     sources.gather(contacts, dt);
     if (contacts.count === 0) return true;
