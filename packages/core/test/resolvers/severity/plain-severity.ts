@@ -32,9 +32,9 @@ export class PlainSeverity implements Resolver {
     this.#limit = limit;
   }
 
-  step({ particles, forces, sources, contacts, integrate, gravity, before }: Simulation, dt: number): boolean {
+  step({ particles, forces, sources, contacts, integrate, gravity, time, before }: Simulation, dt: number): boolean {
     const { vx, vy, x, y, inverseMass, count } = particles;
-    forces.apply(dt);
+    forces.apply(dt, time);
     if (!integrate(particles, gravity, dt)) return false;
     sources.gather(contacts, dt);
     const list: Contact[] = [];
