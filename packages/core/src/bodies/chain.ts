@@ -34,8 +34,8 @@ const MOST_LINKS = 10_000;
  * are not its own, unless they are free: they stay when the chain is removed, and do not count in its mass. A chain that is
  * longer than the way between its ends starts as an arc that bends down.
  *
- * Under `severity` the default limit of iterations holds some 6 links, off by 1 % of their length at 1/60 s; 10 are off by
- * 11 % and 20 fall apart. With `severity({ iterations: 1000 })` 10 links are off by 0.002 %, with 5000 20 links by 0.02 %.
+ * Under `severity` the default limit of iterations holds some 6 links, off by 1 % of their length at 1/60 s; 10 by some
+ * 10 % and 20 fall apart. With `severity({ iterations: 1000 })` 10 links are off by 0.002 %, with 5000 20 links by 0.02 %.
  *
  * @example
  * ```ts
