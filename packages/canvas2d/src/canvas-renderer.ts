@@ -5,12 +5,14 @@ import {
   DrawList,
   Palette,
   type Renderer,
+  Sketch,
   type Style,
   Trails,
   type ViewedWorld,
 } from '@mass/core/view';
 import type { CanvasContext } from './canvas-context.ts';
 import { drawDiscs } from './draw-discs.ts';
+import { drawPaths } from './draw-paths.ts';
 import { drawTrails } from './draw-trails.ts';
 
 /** What a renderer draws into: a canvas, of the page or of a worker, or its 2D context. */
@@ -39,6 +41,7 @@ export class CanvasRenderer implements Renderer<CanvasDrawing> {
   #style: Style;
   #palette: Palette;
   #trails: Trails;
+  #sketch: Sketch;
   #width: number;
   #height: number;
   #pixelRatio = 1;
@@ -50,6 +53,7 @@ export class CanvasRenderer implements Renderer<CanvasDrawing> {
     this.#style = style;
     this.#palette = new Palette(style);
     this.#trails = new Trails(this.#palette);
+    this.#sketch = new Sketch(style, this.#palette);
     this.#width = this.#context.canvas.width;
     this.#height = this.#context.canvas.height;
   }
@@ -59,8 +63,10 @@ export class CanvasRenderer implements Renderer<CanvasDrawing> {
   }
   set style(style: Style) {
     if (style === this.#style) return;
-    this.#palette = new Palette(style);
-    this.#trails = this.#trails.withPalette(this.#palette);
+    const palette = new Palette(style);
+    this.#sketch = new Sketch(style, palette);
+    this.#palette = palette;
+    this.#trails = this.#trails.withPalette(palette);
     this.#style = style;
   }
 
@@ -78,9 +84,12 @@ export class CanvasRenderer implements Renderer<CanvasDrawing> {
     const context = this.#context;
     const palette = this.#palette;
     this.#bindings.prune(world.particles);
-    this.#list.update(world, palette, camera, alpha, this.#bindings.bound);
+    this.#list.update(world, palette, camera, alpha, this.#sketch.hide(world, this.#bindings.bound));
+    this.#sketch.update(world, this.#list, camera, alpha);
     this.#clear();
     context.save();
+    drawPaths(context, this.#sketch.ground);
+    drawPaths(context, this.#sketch.below);
     if (palette.hasTrails) {
       this.#trails.update(world);
       drawTrails(context, world, this.#list, this.#trails, palette, camera);
@@ -88,6 +97,7 @@ export class CanvasRenderer implements Renderer<CanvasDrawing> {
     drawDiscs(context, this.#list, palette);
     context.globalAlpha = 1;
     this.#bindings.forEach(this.#drawBound);
+    drawPaths(context, this.#sketch.above);
     context.restore();
   }
 

@@ -41,6 +41,7 @@ export type { DragOptions } from './forces/drag.ts';
 export { Drag } from './forces/drag.ts';
 export { forEachParticle } from './forces/for-each-particle.ts';
 export type { ForceGenerator } from './forces/force-generator.ts';
+export { ForceProbe } from './forces/force-probe.ts';
 export type { ForceTargets } from './forces/force-targets.ts';
 export type { Fuelled, FuelOptions } from './forces/fuelled.ts';
 export { fuelled } from './forces/fuelled.ts';

@@ -4,6 +4,7 @@ import { World } from '@mass/core';
 import { Camera, type Style } from '@mass/core/view';
 import { Application, Graphics } from 'pixi.js';
 import { PixiRenderer } from '../src/index.ts';
+import { everyStyle, everything } from './everything.ts';
 
 const width = 600;
 const height = 400;
@@ -339,4 +340,31 @@ export async function follow() {
   onPixi.render(world, view, 1);
   app.render();
   return { apart: Math.max(...apart), ...held, afterwards: { drawn: drawn.length, parented: sprite.parent !== null } };
+}
+
+/** Draws everything with both, for the eye. */
+export async function show(pixelRatio: number, dark: boolean, arrows: boolean) {
+  const width = 900;
+  const height = 600;
+  const app = new Application();
+  await app.init({ width, height, resolution: pixelRatio, autoDensity: true, autoStart: false, preference: 'webgl' });
+  document.body.append(app.canvas);
+  const canvas = document.createElement('canvas');
+  canvas.style.cssText = `width:${width}px;height:${height}px;display:block`;
+  document.body.append(canvas);
+  const view = new Camera({ pixelsPerMetre: 50, width, height });
+  const world = everything();
+  const { velocities, forces, contacts, ...plain } = everyStyle(dark);
+  const style: Style = arrows ? ({ ...plain, velocities, forces, contacts } as Style) : plain;
+  for (let i = 0; i < 20; i++) world.step(1 / 60);
+  const renderers = [
+    new CanvasRenderer(canvas, { style }),
+    new PixiRenderer(app.stage, { style, renderer: app.renderer }),
+  ];
+  for (const renderer of renderers) {
+    renderer.resize(width, height, pixelRatio);
+    renderer.render(world, view, 0.5);
+  }
+  app.render();
+  return [canvas.toDataURL(), app.canvas.toDataURL()];
 }

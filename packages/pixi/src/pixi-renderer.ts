@@ -5,6 +5,7 @@ import {
   DrawList,
   Palette,
   type Renderer,
+  Sketch,
   type Style,
   Trails,
   type ViewedWorld,
@@ -12,8 +13,11 @@ import {
 import { Container, type Renderer as PixiSystem, Sprite, Texture } from 'pixi.js';
 import { Atlas } from './atlas.ts';
 import { drawDiscs } from './draw-discs.ts';
+import { drawPaths } from './draw-paths.ts';
 import { drawTrails } from './draw-trails.ts';
 import { QuadBatch } from './quad-batch.ts';
+import { Swatches } from './swatches.ts';
+import { Triangles } from './triangles.ts';
 
 /** How to draw. */
 export interface PixiRendererOptions {
@@ -34,12 +38,19 @@ export class PixiRenderer implements Renderer<Container> {
   readonly #layer = new Container({ label: 'mass bound' });
   readonly #atlas = new Atlas();
   readonly #batch: QuadBatch = new QuadBatch(this.#atlas.solid);
+  readonly #swatches = new Swatches();
+  readonly #ground = new Triangles(this.#swatches);
+  readonly #below = new Triangles(this.#swatches);
+  readonly #above = new Triangles(this.#swatches);
   readonly #list = new DrawList();
   readonly #bindings: Bindings<Container>;
   readonly #renderer: PixiSystem | undefined;
   #style: Style;
   #palette: Palette;
   #trails: Trails;
+  #sketch: Sketch;
+  #groundVersion = -1;
+  #groundRatio = 0;
   #size: { width: number; height: number; pixelRatio: number } | null = null;
   #pixelRatio = 1;
   #destroyed = false;
@@ -53,11 +64,13 @@ export class PixiRenderer implements Renderer<Container> {
     this.#style = style;
     this.#palette = new Palette(style);
     this.#trails = new Trails(this.#palette);
+    this.#sketch = new Sketch(style, this.#palette);
     this.#renderer = renderer;
     this.#bindings = new Bindings('PixiRenderer', (drawing) => {
       if (drawing.parent === this.#layer) this.#layer.removeChild(drawing);
     });
-    this.#root.addChild(this.#background, this.#batch.container, this.#layer);
+    this.#root.addChild(this.#background, this.#ground.mesh, this.#below.mesh);
+    this.#root.addChild(this.#batch.container, this.#layer, this.#above.mesh);
     container.addChild(this.#root);
   }
 
@@ -66,8 +79,11 @@ export class PixiRenderer implements Renderer<Container> {
   }
   set style(style: Style) {
     if (style === this.#style) return;
-    this.#palette = new Palette(style);
-    this.#trails = this.#trails.withPalette(this.#palette);
+    const palette = new Palette(style);
+    this.#sketch = new Sketch(style, palette);
+    this.#groundVersion = -1;
+    this.#palette = palette;
+    this.#trails = this.#trails.withPalette(palette);
     this.#style = style;
   }
 
@@ -91,7 +107,8 @@ export class PixiRenderer implements Renderer<Container> {
     }
     const palette = this.#palette;
     this.#bindings.prune(world.particles);
-    this.#list.update(world, palette, camera, alpha, this.#bindings.bound);
+    this.#list.update(world, palette, camera, alpha, this.#sketch.hide(world, this.#bindings.bound));
+    this.#sketch.update(world, this.#list, camera, alpha);
     this.#applySize();
     this.#paintBackground(camera);
     if (palette.hasTrails) this.#trails.update(world);
@@ -101,6 +118,13 @@ export class PixiRenderer implements Renderer<Container> {
       this.#fill(world, camera);
     }
     this.#atlas.end();
+    this.#drawSketch();
+    if (this.#swatches.full) {
+      this.#swatches.reset();
+      this.#groundVersion = -1;
+      this.#drawSketch();
+    }
+    this.#swatches.end();
     this.#bindings.forEach(this.#place);
   }
 
@@ -127,10 +151,25 @@ export class PixiRenderer implements Renderer<Container> {
     this.#root.removeFromParent();
     this.#batch.container.removeFromParent();
     this.#batch.destroy();
+    for (const triangles of [this.#ground, this.#below, this.#above]) triangles.destroy();
     this.#background.destroy();
     this.#layer.destroy();
     this.#root.destroy();
     this.#atlas.destroy();
+    this.#swatches.destroy();
+  }
+
+  /** The ground is left as it is until it looks another way. */
+  #drawSketch(): void {
+    const { ground, below, above } = this.#sketch;
+    const ratio = this.#pixelRatio;
+    if (this.#groundVersion !== ground.version || this.#groundRatio !== ratio) {
+      this.#groundVersion = ground.version;
+      this.#groundRatio = ratio;
+      drawPaths(this.#ground, ground, ratio);
+    }
+    drawPaths(this.#below, below, ratio);
+    drawPaths(this.#above, above, ratio);
   }
 
   #fill(world: ViewedWorld, camera: Camera): void {

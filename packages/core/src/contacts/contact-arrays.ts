@@ -15,6 +15,8 @@ export interface ContactArrays {
   readonly penetration: Float64Array;
   /** Share of the closing speed that is given back, 0 to 1. */
   readonly restitution: Float64Array;
+  /** Where it comes from: the links are counted first, then the static shapes, then the other contact generators. */
+  readonly source: Int32Array;
   /** Sum of the impulses along the normal. Unit: N·s. */
   readonly impulse: Float64Array;
 }

@@ -94,6 +94,11 @@ export class Buoyancy implements ForceGenerator {
     return this.#hulls.get(particle);
   }
 
+  /** The particles that were given a hull, and theirs. */
+  get hulls(): ReadonlyMap<Particle, Readonly<Hull>> {
+    return this.#hulls.map;
+  }
+
   /** Height of the surface at a place, after the last step; for drawing. Unit: m. */
   levelAt(x: number): number {
     const level = this.#level;

@@ -18,6 +18,11 @@ export class HullTable {
   #particles: ParticleArrays | undefined;
   #version = -1;
 
+  /** What was set; a particle that is gone is forgotten with the next refresh. */
+  get map(): ReadonlyMap<Particle, Readonly<Hull>> {
+    return this.#hulls;
+  }
+
   /** Gives a particle a hull of its own. */
   set(where: string, particle: Particle, hull: Readonly<Hull>): void {
     if (!(particle instanceof Particle)) {

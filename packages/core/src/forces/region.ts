@@ -28,12 +28,16 @@ export interface BoxRegionOptions {
 }
 
 /** An upright box, its edges included. An edge that is left out is infinitely far away. */
-export function insideBox(box: Readonly<BoxRegionOptions>): Region {
+export function insideBox(box: Readonly<BoxRegionOptions>): Region & Readonly<Required<BoxRegionOptions>> {
   requireOptions('insideBox', 'box', box, '{ minX: 0, minY: 0, maxX: 4, maxY: 2 }');
   const { minX = -Infinity, minY = -Infinity, maxX = Infinity, maxY = Infinity } = box;
   requireOrdered('insideBox', 'x', minX, maxX, 'm');
   requireOrdered('insideBox', 'y', minY, maxY, 'm');
   return {
+    minX,
+    minY,
+    maxX,
+    maxY,
     pick({ x, y }, { slots, count }, picked) {
       let inside = 0;
       for (let t = 0; t < count; t++) {

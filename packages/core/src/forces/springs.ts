@@ -52,6 +52,11 @@ export class Springs implements ForceGenerator, Iterable<Spring> {
     return count;
   }
 
+  /** Each, in the order in which they were added; until the next step some may be gone: see `Spring.alive`. */
+  get list(): readonly Spring[] {
+    return this.#springs;
+  }
+
   /** Each that is there, in the order in which they were added. */
   *[Symbol.iterator](): Generator<Spring, void, undefined> {
     for (const spring of [...this.#springs]) if (spring.alive) yield spring;

@@ -64,6 +64,12 @@ export class Palette {
     this.hasTrails = this.trails.some((trail) => trail !== null);
   }
 
+  /** The fill of the particles of a group, or their outline where they have none; of a ramp its first colour. */
+  fillOf(group: number): string {
+    const { fill, stroke, colorBy } = this.#styles[this.classOf(group)];
+    return colorBy?.colors[0] ?? fill ?? stroke ?? '#808080';
+  }
+
   /** The class of the particles of a group. */
   classOf(group: number): number {
     return group < this.#classOfGroup.length ? this.#classOfGroup[group] : 0;

@@ -1,5 +1,6 @@
-/** A colour that every renderer reads alike: `#rgb` or `#rrggbb`. */
-export type Color = string;
+import type { Color } from './color-style.ts';
+import type { BungeeStyle, LinkStyle, PinStyle, SpringStyle } from './link-style.ts';
+import type { ArrowStyle, BodyStyle, ContactStyle, LiquidStyle, ShapeStyle } from './scenery-style.ts';
 
 /** A line of where the particle has been, which fades out towards its end. */
 export interface TrailStyle {
@@ -46,7 +47,10 @@ export interface ParticleStyle {
   readonly fadeOut: number;
 }
 
-/** How a world looks: plain data, the same for every renderer; what it leaves out has a default. */
+/**
+ * How a world looks: plain data, the same for every renderer; what it leaves out has a default. A section that is `null` is
+ * not drawn.
+ */
 export interface Style {
   /** Behind everything; without it the ground is left transparent. */
   readonly background?: Color;
@@ -54,4 +58,19 @@ export interface Style {
   readonly particle?: Partial<ParticleStyle>;
   /** Particles of a group: what differs from `particle`. Higher groups are drawn on top. */
   readonly groups?: { readonly [group: number]: Partial<ParticleStyle> };
+  /** Links by kind: `rod`, `cable`, or a game's own word. */
+  readonly links?: { readonly [kind: string]: Partial<LinkStyle> | null } | null;
+  readonly springs?: Partial<SpringStyle> | null;
+  readonly bungees?: Partial<BungeeStyle> | null;
+  /** Where a link or spring hangs on a fixed point, or on a particle that cannot move. */
+  readonly pins?: Partial<PinStyle> | null;
+  readonly shapes?: Partial<ShapeStyle> | null;
+  readonly liquids?: Partial<LiquidStyle> | null;
+  readonly bodies?: Partial<BodyStyle> | null;
+  /** @default null */
+  readonly velocities?: Partial<ArrowStyle> | null;
+  /** The forces that a `ForceProbe` in the world has seen. @default null */
+  readonly forces?: Partial<ArrowStyle> | null;
+  /** @default null */
+  readonly contacts?: Partial<ContactStyle> | null;
 }

@@ -1,4 +1,16 @@
 import type { World } from '../world/world.ts';
 
 /** What a renderer reads of a world; it writes nothing. */
-export type ViewedWorld = Pick<World, 'particles' | 'time' | 'particleAt' | 'generationAt'>;
+export type ViewedWorld = Pick<
+  World,
+  | 'particles'
+  | 'time'
+  | 'gravity'
+  | 'particleAt'
+  | 'generationAt'
+  | 'links'
+  | 'forces'
+  | 'shapes'
+  | 'bodies'
+  | 'contacts'
+>;

@@ -120,6 +120,11 @@ export class World implements ParticleSpawner {
     return this.#store;
   }
 
+  /** The force generators, in the order in which they run. */
+  get forces(): readonly ForceGenerator[] {
+    return this.#forces.list;
+  }
+
   /** The links, without those that lost an end. */
   get links(): readonly Link[] {
     return this.#sources.links;

@@ -1,0 +1,45 @@
+import { type PathList, type PathPaint, pathKinds } from './path-list.ts';
+
+/** Share of the rest length that is straight at each end. */
+const lead = 0.08;
+/** The narrowest and widest that coils become, as a share of their width at rest. */
+const narrowest = 0.3;
+const widest = 1.5;
+
+/** How far coils swing to each side: less as the spring is stretched, so that its wire seems to stay as long. */
+export function coilRadius(diameter: number, rest: number, length: number): number {
+  const atRest = Math.min(diameter / 2, Math.max(rest, diameter) / 3);
+  const stretch = length > 0 ? Math.sqrt(Math.max(rest, diameter) / length) : widest;
+  return atRest * Math.min(widest, Math.max(narrowest, stretch));
+}
+
+/** Adds a spring from one place to another, all in CSS px: straight leads, and coils between. */
+export function addCoil(
+  list: PathList,
+  x0: number,
+  y0: number,
+  x1: number,
+  y1: number,
+  rest: number,
+  coils: number,
+  diameter: number,
+  paint: PathPaint,
+): void {
+  const dx = x1 - x0;
+  const dy = y1 - y0;
+  const length = Math.sqrt(dx * dx + dy * dy);
+  const radius = coilRadius(diameter, rest, length);
+  list.add(x0, y0);
+  if (length > 0 && radius > 0.75) {
+    const nx = -dy / length;
+    const ny = dx / length;
+    const steps = coils * (radius > 3 ? 12 : 4);
+    for (let k = 0; k <= steps; k++) {
+      const t = lead + ((1 - 2 * lead) * k) / steps;
+      const across = radius * Math.sin((2 * Math.PI * coils * k) / steps);
+      list.add(x0 + dx * t + nx * across, y0 + dy * t + ny * across);
+    }
+  }
+  list.add(x1, y1);
+  list.end(pathKinds.line, paint);
+}
