@@ -36,8 +36,7 @@ export class ContactSources {
 
   addLink(where: string, link: Link): void {
     this.#dropDead();
-    this.#links.check(where, link);
-    this.#links.list.push(link);
+    this.#links.add(where, link);
     this.#pairsAreOld = true;
   }
 
@@ -61,7 +60,7 @@ export class ContactSources {
     const { links } = this;
     const shapes = this.shapes.list;
     const generators = this.generators.list;
-    contacts.clear(store.count, this.#pairs());
+    contacts.clear(store.count, this.linkedPairs());
     let source = 0;
     for (let l = 0; l < links.length; l++) {
       contacts.currentSource = source++;
@@ -81,16 +80,13 @@ export class ContactSources {
   #dropDead(): void {
     if (this.#removals === this.#store.removals) return;
     this.#removals = this.#store.removals;
-    const links = this.#links.list;
-    let kept = 0;
-    for (const link of links) {
-      if (isEndAlive(link.a) && isEndAlive(link.b)) links[kept++] = link;
-    }
-    this.#pairsAreOld ||= kept < links.length;
-    links.length = kept;
+    const before = this.#links.list.length;
+    this.#links.keep(({ a, b }) => isEndAlive(a) && isEndAlive(b));
+    this.#pairsAreOld ||= this.#links.list.length < before;
   }
 
-  #pairs(): ReadonlySet<number> {
+  /** Pairs of slots that a link joins, as `pairKey`. */
+  linkedPairs(): ReadonlySet<number> {
     if (!this.#pairsAreOld) return this.#linkedPairs;
     this.#pairsAreOld = false;
     this.#linkedPairs.clear();

@@ -64,7 +64,7 @@ function accelerate({ count, vx, vy, fx, fy, inverseMass }: MotionArrays, gravit
  * v' = v·d^dt. Particles of one damping in a row share one look at the powers, and no call stands inside the inner loop: with
  * one there, V8 reads every array's address anew for each particle. Reads damping, inverseMass. Writes vx, vy.
  */
-function damp({ count, vx, vy, damping, inverseMass, dampingPowers }: MotionArrays, dt: number): void {
+export function damp({ count, vx, vy, damping, inverseMass, dampingPowers }: MotionArrays, dt: number): void {
   dampingPowers.prepare(damping.length, dt);
   const { bases, powers } = dampingPowers;
   for (let i = 0; i < count; ) {
