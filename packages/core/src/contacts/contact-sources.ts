@@ -2,7 +2,7 @@ import type { Shape } from '../collision/shape.ts';
 import { ShapeContacts } from '../collision/shape-contacts.ts';
 import type { Link } from '../links/link.ts';
 import { Members } from '../math/members.ts';
-import { isEndAlive, particleOf } from '../particles/end.ts';
+import { checkedEnd, isEndAlive, particleOf } from '../particles/end.ts';
 import type { ParticleStore } from '../particles/particle-store.ts';
 import { type ContactBuffer, pairKey } from './contact-buffer.ts';
 import type { ContactGenerator } from './contact-generator.ts';

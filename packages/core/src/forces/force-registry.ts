@@ -32,21 +32,21 @@ export class ForceRegistry {
   }
 
   /** Adds particles to those that a generator acts on; without a list it acts on all, those to come included. */
-  add(generator: ForceGenerator, particles?: Iterable<Particle>): void {
-    if (typeof generator === 'function') {
-      // It has a method `apply`, that of every function: the likeliest slip must not pass for a generator.
+  add(where: string, generator: ForceGenerator, particles?: Iterable<Particle>): void {
+    // A bare function has a method `apply`, that of every function: the likeliest slip must not pass for a generator.
+    if (typeof generator !== 'object' || typeof generator?.apply !== 'function') {
       throw new TypeError(
-        `World.addForce: a force generator must have a method apply(particles, targets, dt); got ${describe(generator)}. ` +
+        `${where}: a force generator must have a method apply(particles, targets, dt); got ${describe(generator)}. ` +
           'Wrap a function of one particle in forEachParticle.',
       );
     }
-    if (particles === null) requireMembers('World.addForce', particles, this.#store);
+    const members = particles === undefined ? undefined : requireMembers(where, particles, this.#store);
     let targets = this.#targets.get(generator);
-    if (particles === undefined) {
+    if (members === undefined) {
       targets = this.#everyone;
     } else {
       targets ??= new ChosenTargets(this.#store);
-      if (targets instanceof ChosenTargets) for (const particle of particles) targets.add(particle);
+      if (targets instanceof ChosenTargets) for (const particle of members) targets.add(particle);
     }
     this.#targets.set(generator, targets);
     this.#generators = [...this.#targets.keys()];
@@ -67,7 +67,7 @@ export class ForceRegistry {
       this.#targets.delete(generator);
       this.#generators = [...this.#targets.keys()];
     } else if (targets instanceof ChosenTargets) {
-      for (const particle of particles) targets.delete(particle);
+      for (const particle of requireMembers(where, particles, this.#store)) targets.delete(particle);
     }
   }
 

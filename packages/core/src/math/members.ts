@@ -2,8 +2,9 @@ import { describe } from './checks.ts';
 
 /** A list of things that were added, each once, in order; what is added must have a certain method. */
 export class Members<T extends object> {
-  /** The members themselves: to read. */
-  readonly list: T[] = [];
+  /** The members themselves: to read. Taking one out makes a new list, so that a loop over the old one misses none. */
+  list: T[] = [];
+  readonly #members = new Set<T>();
   readonly #what: string;
   readonly #method: string;
 
@@ -22,22 +23,31 @@ export class Members<T extends object> {
     if (typeof member !== 'object' || member === null || !(name in member)) {
       throw new TypeError(`${where}: ${this.#what} must have a method ${this.#method}; got ${describe(member)}.`);
     }
-    if (this.list.includes(member)) {
+    if (this.#members.has(member)) {
       throw new Error(`${where}: ${this.#what} can be added once; ${describe(member)} is in the world already.`);
     }
   }
 
   add(where: string, member: T): void {
     this.check(where, member);
+    this.#members.add(member);
     this.list.push(member);
+  }
+
+  has(member: T): boolean {
+    return this.#members.has(member);
   }
 
   /** Takes something out. */
   remove(where: string, member: T): void {
-    const index = this.list.indexOf(member);
-    if (index < 0) {
+    if (!this.#members.has(member)) {
       throw new Error(`${where}: ${this.#what} must be in the world to be taken out; ${describe(member)} is not.`);
     }
-    this.list.splice(index, 1);
+    this.keep((other) => other !== member);
+  }
+
+  /** Takes out what does not pass a test. */
+  keep(passes: (member: T) => boolean): void {
+    this.list = this.list.filter((member) => passes(member) || !this.#members.delete(member));
   }
 }

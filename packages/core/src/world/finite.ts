@@ -1,6 +1,7 @@
 import type { ForceRegistry } from '../forces/force-registry.ts';
 import { describe } from '../math/checks.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
+import type { ParticleStore } from '../particles/particle-store.ts';
 
 /** The error that names the first particle that is not finite. */
 export function nonFiniteError({ count, x, y, vx, vy }: ParticleArrays): Error {
@@ -24,4 +25,14 @@ export function nonFiniteForceError(forces: ForceRegistry, dt: number, time: num
       `the world, gave (${found.fx}, ${found.fy}) to particle ${found.slot}. The step was undone: mend the generator, or take it out with ` +
       'world.removeForce.',
   );
+}
+
+/** Lifetimes are numbers: NaN, written to the array, would end a particle without a word. Reads lifetime. */
+export function requireLifetimes({ count, lifetime, mortal }: ParticleStore): void {
+  if (!mortal) return;
+  let sum = 0;
+  for (let i = 0; i < count; i++) sum += lifetime[i];
+  if (!Number.isNaN(sum)) return;
+  const slot = lifetime.findIndex((seconds, i) => i < count && Number.isNaN(seconds));
+  throw new RangeError(`World.step: a lifetime must be a number of seconds; that of particle ${slot} is NaN.`);
 }

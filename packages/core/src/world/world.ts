@@ -22,7 +22,7 @@ import {
 } from '../math/checks.ts';
 import { Members } from '../math/members.ts';
 import type { Vec2 } from '../math/vec2.ts';
-import { requireMember, requireMembers } from '../particles/membership.ts';
+import { requireMember } from '../particles/membership.ts';
 import { Particle } from '../particles/particle.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import { checkParticleOptions, type ParticleOptions, writeParticle } from '../particles/particle-options.ts';
@@ -34,7 +34,7 @@ import { Checkpoint } from './checkpoint.ts';
 import { ContactWatch } from './contact-watch.ts';
 import { EventQueue, type WorldEvents } from './events.ts';
 import { Expiry } from './expiry.ts';
-import { nonFiniteError, nonFiniteForceError } from './finite.ts';
+import { nonFiniteError, nonFiniteForceError, requireLifetimes } from './finite.ts';
 import { type Integrator, semiImplicitEuler } from './integrators.ts';
 import { LinkBreaker } from './link-breaker.ts';
 import type { Simulation } from './simulation.ts';
@@ -67,6 +67,7 @@ export class World implements ParticleSpawner {
   readonly #contactWatch = new ContactWatch();
   readonly #linkBreaker = new LinkBreaker();
   #stepCount = 0;
+  #stepping = false;
 
   constructor(options: WorldOptions = {}) {
     requireOptions('World', 'options', options, '{ gravity: { x: 0, y: -9.81 } }');
@@ -96,6 +97,7 @@ export class World implements ParticleSpawner {
     return this.#simulation.gravity;
   }
   set gravity(value: Readonly<Vec2>) {
+    this.#requireBetweenSteps('World.gravity');
     requireVector('World.gravity', 'gravity', value, 'metres per second squared');
     this.#simulation.gravity = Object.freeze({ x: value.x, y: value.y });
   }
@@ -161,7 +163,7 @@ export class World implements ParticleSpawner {
 
   /** The handle of the particle that lives in a slot. */
   particleAt(slot: number): Particle {
-    if (this.#store.alive[slot] !== 1) {
+    if (!Number.isInteger(slot) || this.#store.alive[slot] !== 1) {
       throw new RangeError(`World.particleAt: slot must be one where a particle lives; got ${describe(slot)}.`);
     }
     return this.#store.handle(slot);
@@ -187,20 +189,14 @@ export class World implements ParticleSpawner {
    */
   addForce<T extends ForceGenerator>(generator: T, particles?: Iterable<Particle>): T {
     this.#requireBetweenSteps('World.addForce');
-    if (typeof generator?.apply !== 'function') {
-      throw new TypeError(
-        `World.addForce: a force generator must have a method apply(particles, targets, dt); got ${describe(generator)}. ` +
-          'Wrap a function of one particle in forEachParticle.',
-      );
-    }
-    this.#forces.add(generator, particles && requireMembers('World.addForce', particles, this.#store));
+    this.#forces.add('World.addForce', generator, particles);
     return generator;
   }
 
   /** Frees particles of a force, or, without a list, takes the force out of the world. */
   removeForce(generator: ForceGenerator, particles?: Iterable<Particle>): void {
     this.#requireBetweenSteps('World.removeForce');
-    this.#forces.remove('World.removeForce', generator, particles && [...particles]);
+    this.#forces.remove('World.removeForce', generator, particles);
   }
 
   /** Joins two ends from the next step on. @returns The link. */
@@ -262,7 +258,7 @@ export class World implements ParticleSpawner {
     this.#requireBetweenSteps('World.addEffect');
     this.#effects.check('World.addEffect', effect);
     effect.attach?.(this);
-    this.#effects.list.push(effect);
+    this.#effects.add('World.addEffect', effect);
     return effect;
   }
 
@@ -289,6 +285,8 @@ export class World implements ParticleSpawner {
    */
   step(dt: number): void {
     this.#requireBetweenSteps('World.step');
+    if (this.#stepping)
+      throw new Error('World.step: a step must end before the next; an effect or a listener took one.');
     requireNonNegative('World.step', 'dt', dt, 'seconds', 'Time runs forward only.');
     if (dt === 0) return;
     this.#simulation.before.save(this.#store);
@@ -297,16 +295,14 @@ export class World implements ParticleSpawner {
     this.#simulation.time += dt;
     this.#stepCount++;
     this.#expiry.age(this.#store, dt);
-    this.#noteEvents(dt);
-    this.#runEffects(dt);
-    this.#events.tell();
-    this.#expiry.removeFrom(this.#store);
+    this.#tellOthers(dt);
   }
 
   #resolve(dt: number): void {
     const store = this.#store;
     store.locked = true;
     try {
+      requireLifetimes(store);
       if (!this.#resolver.step(this.#simulation, dt)) throw this.#nonFiniteError(dt);
     } catch (error) {
       this.#simulation.before.restore(store);
@@ -322,16 +318,28 @@ export class World implements ParticleSpawner {
     return nonFiniteForceError(this.#forces, dt, this.#simulation.time) ?? error;
   }
 
-  #noteEvents(dt: number): void {
+  /** Events and effects, which may change the world. Whatever they throw, what expired is removed. */
+  #tellOthers(dt: number): void {
     const { contacts } = this.#simulation;
-    this.#contactWatch.compare(contacts, this.#sources, this.#store, this.#events);
-    this.#linkBreaker.breakLinks(contacts, this.#sources, this.#events, dt);
-    this.#expiry.note(this.#store, this.#events);
+    this.#stepping = true;
+    try {
+      this.#contactWatch.compare(contacts, this.#sources, this.#store, this.#events);
+      this.#linkBreaker.breakLinks(contacts, this.#sources, this.#events, dt);
+      this.#expiry.note(this.#store, this.#events);
+      this.#runEffects(dt);
+      this.#events.tell();
+    } finally {
+      this.#expiry.removeFrom(this.#store);
+      this.#stepping = false;
+    }
   }
 
   #runEffects(dt: number): void {
     const effects = this.#effects.list;
-    for (let e = 0; e < effects.length; e++) effects[e].afterStep(this, this.#expiry, dt);
+    const { length } = effects; // one that is added meanwhile runs from the next step on
+    for (let e = 0; e < length; e++) {
+      if (this.#effects.has(effects[e])) effects[e].afterStep(this, this.#expiry, dt);
+    }
   }
 
   #requireBetweenSteps(where: string): void {

@@ -27,7 +27,7 @@ describe('after warm-up', () => {
     ['dampings', '10 000 particles with as many dampings'],
   ])('[W9] a step allocates nothing: %s, %s', { timeout: 120_000 }, async (scene) => {
     const { bytesPerStep, bufferBytes } = await measure(scene);
-    expect(bytesPerStep).toBeLessThan(64);
+    expect(bytesPerStep).toBeLessThan(40);
     expect(bytesPerStep).toBeGreaterThan(-16); // nothing was collected meanwhile
     expect(bufferBytes).toBe(0);
   });
