@@ -1,4 +1,5 @@
-import { type ContactBuffer, SCENERY } from '../contacts/contact-buffer.ts';
+import { type ContactBuffer, requireUnitNormal, SCENERY } from '../contacts/contact-buffer.ts';
+import { requireFinite, requireShare } from '../math/checks.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import type { Shape, SurfaceReport } from './shape.ts';
 
@@ -16,6 +17,7 @@ export class ShapeContacts implements SurfaceReport {
   find(shape: Shape, particles: ParticleArrays, contacts: ContactBuffer): void {
     const { count, x, y, radius, restitution, inverseMass } = particles;
     const { minX, minY, maxX, maxY } = shape;
+    requireShare('Shape', 'restitution', shape.restitution);
     this.#contacts = contacts;
     for (let i = 0; i < count; i++) {
       if (inverseMass[i] === 0) continue;
@@ -31,6 +33,8 @@ export class ShapeContacts implements SurfaceReport {
   }
 
   add(distance: number, normalX: number, normalY: number): void {
+    requireFinite('SurfaceReport.add', 'distance', distance, 'metres');
+    requireUnitNormal('SurfaceReport.add', normalX, normalY);
     this.#contacts?.push(this.#slot, SCENERY, normalX, normalY, this.#radius - distance, this.#restitution);
   }
 }

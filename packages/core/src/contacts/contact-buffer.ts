@@ -81,11 +81,7 @@ export class ContactBuffer implements Contacts, ContactArrays {
     if (!(Number.isInteger(b) && b >= SCENERY && b < this.#slotCount && b !== a)) {
       throw new RangeError(`${where}: b must be the slot of another particle, or -1 for scenery; got ${describe(b)}.`);
     }
-    if (!(Math.abs(normalX * normalX + normalY * normalY - 1) < 1e-6)) {
-      throw new RangeError(
-        `${where}: the normal must have length 1; got (${normalX}, ${normalY}). Divide it by its length.`,
-      );
-    }
+    requireUnitNormal(where, normalX, normalY);
     if (!Number.isFinite(penetration)) {
       throw new RangeError(`${where}: penetration must be a finite number of metres; got ${describe(penetration)}.`);
     }
@@ -104,6 +100,14 @@ export class ContactBuffer implements Contacts, ContactArrays {
     this.impulse = grown(this.impulse, new Float64Array(capacity));
     this.source = grown(this.source, new Int32Array(capacity));
   }
+}
+
+/** A normal of length 1. */
+export function requireUnitNormal(where: string, normalX: number, normalY: number): void {
+  if (Math.abs(normalX * normalX + normalY * normalY - 1) < 1e-6) return;
+  throw new RangeError(
+    `${where}: the normal must have length 1; got (${normalX}, ${normalY}). Divide it by its length.`,
+  );
 }
 
 /** One number for a pair of slots, whatever their order. */

@@ -1,9 +1,9 @@
-import type { End } from '../particles/end.ts';
+import { checkedEnds, type End } from '../particles/end.ts';
 import { type BreakingOptions, DistanceLink, distanceNow } from './distance-link.ts';
 
 /** How a cable is made. */
 export interface CableOptions extends BreakingOptions {
-  /** Greatest distance of the ends. Unit: m. @default the distance of the ends at the time */
+  /** Greatest distance of the ends, positive. Unit: m. @default the distance of the ends at the time */
   maxLength?: number;
   /** Share of the speed given back when it snaps taut, 0 to 1. @default 0 */
   restitution?: number;
@@ -14,7 +14,7 @@ export function cable(a: End, b: End, { maxLength, ...others }: CableOptions = {
   return new DistanceLink('cable', a, b, {
     kind: 'cable',
     minLength: 0,
-    maxLength: maxLength ?? distanceNow(a, b),
+    maxLength: maxLength ?? distanceNow(...checkedEnds('cable', a, b)),
     ...others,
   });
 }

@@ -1,6 +1,6 @@
 import type { Contacts } from '../contacts/contacts.ts';
 import { requireNonNegative, requireOrdered, requirePositiveOrInfinite, requireShare } from '../math/checks.ts';
-import { checkedEnd, type End, particleOf } from '../particles/end.ts';
+import { checkedEnds, type End } from '../particles/end.ts';
 import { Particle } from '../particles/particle.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import type { Link } from './link.ts';
@@ -42,11 +42,7 @@ export class DistanceLink implements Link {
 
   constructor(where: string, a: End, b: End, options: DistanceLinkOptions) {
     const { kind, minLength, maxLength, restitution = 0, breakForce = Infinity, breakStrain = Infinity } = options;
-    this.a = checkedEnd(where, 'a', a);
-    this.b = checkedEnd(where, 'b', b);
-    if (this.a === this.b || !(particleOf(this.a) || particleOf(this.b))) {
-      throw new TypeError(`${where}: the ends must be two different particles, or a particle and a fixed point.`);
-    }
+    [this.a, this.b] = checkedEnds(where, a, b);
     requireNonNegative(where, 'minLength', minLength, 'metres');
     requirePositiveOrInfinite(where, 'maxLength', maxLength, 'metres');
     requireOrdered(where, 'length', minLength, maxLength, 'm');
@@ -104,7 +100,9 @@ export class DistanceLink implements Link {
    * offers both each time, so that it holds its length from both sides and does not vibrate.
    */
   addContacts({ x, y }: ParticleArrays, contacts: Contacts): void {
-    const [first, second] = this.a instanceof Particle ? [this.a, this.b] : [this.b as Particle, this.a];
+    const { a, b } = this;
+    const first = a instanceof Particle ? a : (b as Particle);
+    const second = a instanceof Particle ? b : a;
     const i = first.slot;
     const j = second instanceof Particle ? second.slot : -1;
     const dx = (j < 0 ? second.x : x[j]) - x[i];

@@ -37,6 +37,13 @@ export function requireTwoEnds(where: string, a: End, b: End): void {
   }
 }
 
+/** Both ends as they are kept: two different particles, or a particle and a fixed point. */
+export function checkedEnds(where: string, a: End, b: End): [End, End] {
+  const ends: [End, End] = [checkedEnd(where, 'a', a), checkedEnd(where, 'b', b)];
+  requireTwoEnds(where, ...ends);
+  return ends;
+}
+
 /** The slot of the particle at an end, or -1 for a fixed point. A particle of another world is an error. */
 export function slotOfEnd(where: string, end: End, particles: object): number {
   if (!(end instanceof Particle)) return -1;
