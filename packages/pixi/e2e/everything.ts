@@ -112,8 +112,8 @@ function addBodies(world: World): void {
     world.addParticle({ x: 3.6 + n * 0.5, y: 1.4 + 0.1 * n, vx: 2 - n, radius: 0.27, group: 4 });
 }
 
-/** Everything on: arrows and contacts too. */
-export function everyStyle(dark: boolean): Style {
+/** A style for it, with arrows and contacts or without. */
+export function everyStyle(dark: boolean, arrows: boolean): Style {
   return {
     background: dark ? '#14171c' : '#ffffff',
     particle: { fill: dark ? '#8fa3b8' : '#5b6b7e' },
@@ -123,8 +123,8 @@ export function everyStyle(dark: boolean): Style {
       3: { fill: dark ? '#5fd6b4' : '#0b8a6a' },
       4: { fill: dark ? '#ffcf5c' : '#c58a00' },
     },
-    velocities: {},
-    forces: { scale: 0.03 },
-    contacts: {},
+    springs: { colorBy: { by: 'strain', from: -0.4, to: 0.4, colors: ['#1c6dd0', '#7687a0', '#d9480f'] } },
+    liquids: { colorBy: { by: 'density', from: 700, to: 1100, colors: ['#c58a00', '#0284c7'] } },
+    ...(arrows && { velocities: {}, forces: { scale: 0.03 }, contacts: {} }),
   };
 }

@@ -42,18 +42,18 @@ function camera(): Camera {
   return new Camera({ pixelsPerMetre: 50, width, height });
 }
 
-function makeCanvas(): HTMLCanvasElement {
+function makeCanvas(wide = width, high = height): HTMLCanvasElement {
   const canvas = document.createElement('canvas');
-  canvas.style.cssText = `width:${width}px;height:${height}px;display:block`;
+  canvas.style.cssText = `width:${wide}px;height:${high}px;display:block`;
   document.body.append(canvas);
   return canvas;
 }
 
-async function makeApplication(pixelRatio: number): Promise<Application> {
+async function makeApplication(pixelRatio: number, wide = width, high = height): Promise<Application> {
   const app = new Application();
   await app.init({
-    width,
-    height,
+    width: wide,
+    height: high,
     resolution: pixelRatio,
     autoDensity: true,
     autoStart: false,
@@ -342,29 +342,38 @@ export async function follow() {
   return { apart: Math.max(...apart), ...held, afterwards: { drawn: drawn.length, parented: sprite.parent !== null } };
 }
 
-/** Draws everything with both, for the eye. */
-export async function show(pixelRatio: number, dark: boolean, arrows: boolean) {
-  const width = 900;
-  const height = 600;
-  const app = new Application();
-  await app.init({ width, height, resolution: pixelRatio, autoDensity: true, autoStart: false, preference: 'webgl' });
-  document.body.append(app.canvas);
-  const canvas = document.createElement('canvas');
-  canvas.style.cssText = `width:${width}px;height:${height}px;display:block`;
-  document.body.append(canvas);
-  const view = new Camera({ pixelsPerMetre: 50, width, height });
+/** Draws one of everything with both renderers. */
+async function drawEverything(pixelRatio: number, dark: boolean, arrows: boolean) {
+  const app = await makeApplication(pixelRatio, 900, 600);
+  const canvas = makeCanvas(900, 600);
+  const view = new Camera({ pixelsPerMetre: 50, width: 900, height: 600 });
   const world = everything();
-  const { velocities, forces, contacts, ...plain } = everyStyle(dark);
-  const style: Style = arrows ? ({ ...plain, velocities, forces, contacts } as Style) : plain;
-  for (let i = 0; i < 20; i++) world.step(1 / 60);
+  const style = everyStyle(dark, arrows);
   const renderers = [
     new CanvasRenderer(canvas, { style }),
     new PixiRenderer(app.stage, { style, renderer: app.renderer }),
   ];
-  for (const renderer of renderers) {
-    renderer.resize(width, height, pixelRatio);
-    renderer.render(world, view, 0.5);
+  for (const renderer of renderers) renderer.resize(900, 600, pixelRatio);
+  for (let i = 0; i < 20; i++) {
+    world.step(1 / 60);
+    for (const renderer of renderers) renderer.render(world, view, 0.5);
   }
+  app.render();
+  return { canvas, app };
+}
+
+/** How the two differ where one of everything is drawn: ink and colours that the other lacks, in device pixels. */
+export async function compareEverything(pixelRatio: number): Promise<number[]> {
+  const { canvas, app } = await drawEverything(pixelRatio, false, true);
+  const a = pixels(canvas);
+  const b = pixels(app.canvas);
+  const reach = 1.5 * pixelRatio;
+  return [missing(a, b, reach), missing(b, a, reach), edges(a, b, reach), edges(b, a, reach)];
+}
+
+/** The two pictures, for the eye. */
+export async function show(pixelRatio: number, dark: boolean, arrows: boolean): Promise<string[]> {
+  const { canvas, app } = await drawEverything(pixelRatio, dark, arrows);
   app.render();
   return [canvas.toDataURL(), app.canvas.toDataURL()];
 }

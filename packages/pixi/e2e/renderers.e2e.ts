@@ -49,6 +49,11 @@ for (const pixelRatio of [1, 2]) {
       expect(result.areas, 'radii of a disc on the two, px').toBeLessThan(0.25);
     });
 
+    test('links, springs, shapes, liquids, bodies, arrows and contacts look the same on both', async ({ page }) => {
+      await open(page);
+      expect(await page.evaluate((ratio) => fixture.compareEverything(ratio), pixelRatio)).toEqual([0, 0, 0, 0]);
+    });
+
     test('large discs are as sharp, after any zoom', async ({ page }) => {
       await open(page);
       expect(await page.evaluate((ratio) => fixture.compareLarge(ratio), pixelRatio)).toEqual([0, 0, 0]);

@@ -1,13 +1,7 @@
-import {
-  describe,
-  requireInteger,
-  requireNonNegative,
-  requireOrdered,
-  requirePositive,
-  requireShare,
-} from '../math/checks.ts';
+import { describe, requireInteger, requireNonNegative, requirePositive, requireShare } from '../math/checks.ts';
+import { checkRamp } from './check-scene-style.ts';
 import { parseColor } from './colors.ts';
-import type { ParticleStyle, SpeedRamp, Style, TrailStyle } from './style.ts';
+import type { ParticleStyle, Style, TrailStyle } from './style.ts';
 
 /** Throws at the first thing in a style that cannot be drawn; the message names its place in the data. */
 export function checkStyle(style: Style): void {
@@ -29,7 +23,7 @@ export function checkParticleStyle(where: string, style: ParticleStyle): void {
   requireNonNegative(where, 'minRadius', style.minRadius, 'pixels');
   requireNonNegative(where, 'fadeOut', style.fadeOut, 'seconds');
   if (style.trail) checkTrail(`${where}.trail`, style.trail);
-  if (style.colorBy) checkRamp(`${where}.colorBy`, style.colorBy);
+  if (style.colorBy) checkRamp(`${where}.colorBy`, style.colorBy, { speed: 'metres per second' });
 }
 
 function checkTrail(where: string, { seconds, points = 2, width = 2, color, alpha = 1 }: TrailStyle): void {
@@ -38,14 +32,4 @@ function checkTrail(where: string, { seconds, points = 2, width = 2, color, alph
   requirePositive(where, 'width', width, 'pixels');
   requireShare(where, 'alpha', alpha);
   if (color !== undefined) parseColor(`${where}.color`, color);
-}
-
-function checkRamp(where: string, { from, to, colors }: SpeedRamp): void {
-  requireNonNegative(where, 'from', from, 'metres per second');
-  requireOrdered(where, 'speed', from, to, 'm/s');
-  requirePositive(where, 'to - from', to - from, 'metres per second');
-  if (!Array.isArray(colors) || colors.length < 2) {
-    throw new RangeError(`${where}: colors must be two colours or more; got ${describe(colors)}.`);
-  }
-  for (const [i, color] of colors.entries()) parseColor(`${where}.colors[${i}]`, color);
 }

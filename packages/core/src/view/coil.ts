@@ -5,11 +5,18 @@ const lead = 0.08;
 /** The narrowest and widest that coils become, as a share of their width at rest. */
 const narrowest = 0.3;
 const widest = 1.5;
+/** From one coil to the next at rest, at least, as a multiple of the width of the wire. */
+const closest = 2.5;
+
+/** How many coils fit: as many as wanted, unless the wire would have no room beside itself at rest. */
+export function coilCount(wanted: number, rest: number, width: number): number {
+  return rest > 0 ? Math.max(1, Math.min(wanted, Math.floor(rest / (closest * width)))) : wanted;
+}
 
 /** How far coils swing to each side: less as the spring is stretched, so that its wire seems to stay as long. */
 export function coilRadius(diameter: number, rest: number, length: number): number {
-  const atRest = Math.min(diameter / 2, Math.max(rest, diameter) / 3);
-  const stretch = length > 0 ? Math.sqrt(Math.max(rest, diameter) / length) : widest;
+  const atRest = rest > 0 ? Math.min(diameter / 2, rest / 4) : diameter / 2;
+  const stretch = length > 0 ? Math.sqrt((rest > 0 ? rest : 2 * diameter) / length) : widest;
   return atRest * Math.min(widest, Math.max(narrowest, stretch));
 }
 
@@ -21,13 +28,14 @@ export function addCoil(
   x1: number,
   y1: number,
   rest: number,
-  coils: number,
+  wanted: number,
   diameter: number,
   paint: PathPaint,
 ): void {
   const dx = x1 - x0;
   const dy = y1 - y0;
   const length = Math.sqrt(dx * dx + dy * dy);
+  const coils = coilCount(wanted, rest, paint.width);
   const radius = coilRadius(diameter, rest, length);
   list.add(x0, y0);
   if (length > 0 && radius > 0.75) {

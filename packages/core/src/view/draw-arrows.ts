@@ -1,3 +1,4 @@
+import type { Pose } from '../bodies/body.ts';
 import { addArrow } from './arrow.ts';
 import type { Frame } from './frame.ts';
 import { addCircle } from './geometry.ts';
@@ -19,6 +20,7 @@ export class ArrowArt {
   readonly #velocity: ArrowPaints | null;
   readonly #force: ArrowPaints | null;
   readonly #contact: ArrowPaints | null;
+  readonly #pose: Pose = { x: 0, y: 0, angle: 0 };
 
   constructor(style: SceneStyle) {
     this.#style = style;
@@ -31,11 +33,49 @@ export class ArrowArt {
     const { velocities, forces, contacts } = this.#style;
     const { vx, vy } = world.particles;
     if (contacts && this.#contact) this.#addContacts(world, this.#contact, list, frame);
-    if (velocities && this.#velocity) addArrows(vx, vy, velocities, this.#velocity, world, list, frame);
+    if (velocities && this.#velocity) {
+      addArrows(vx, vy, velocities, this.#velocity, world, list, frame);
+      this.#addBodies(vx, vy, true, velocities, this.#velocity, world, list, frame);
+    }
     if (!forces || !this.#force) return;
     for (const each of world.forces) {
       const probe = generatorWithin(each);
-      if (isProbe(probe)) addArrows(probe.fx, probe.fy, forces, this.#force, world, list, frame);
+      if (!isProbe(probe)) continue;
+      addArrows(probe.fx, probe.fy, forces, this.#force, world, list, frame);
+      this.#addBodies(probe.fx, probe.fy, false, forces, this.#force, world, list, frame);
+    }
+  }
+
+  /** One arrow for each body that is drawn by its outline, from its centre: the mean by mass, or the sum. */
+  #addBodies(
+    valueX: Float64Array,
+    valueY: Float64Array,
+    mean: boolean,
+    { scale, longest }: ArrowStyle,
+    { shaft, head }: ArrowPaints,
+    { bodies, particles: { mass, inverseMass } }: ViewedWorld,
+    list: PathList,
+    frame: Frame,
+  ): void {
+    for (let b = 0; b < bodies.length; b++) {
+      const { particles } = bodies[b];
+      if (frame.bodyOf[particles[0].slot] !== b + 1) continue;
+      let sumX = 0;
+      let sumY = 0;
+      let weights = 0;
+      for (const { slot } of particles) {
+        if (inverseMass[slot] === 0 || slot >= valueX.length) continue;
+        const weight = mean ? mass[slot] : 1;
+        sumX += weight * valueX[slot];
+        sumY += weight * valueY[slot];
+        weights += weight;
+      }
+      if (weights === 0) continue;
+      const factor = (scale * frame.scale) / (mean ? weights : 1);
+      const { x, y } = bodies[b].pose(frame.alpha, this.#pose);
+      const fromX = frame.left + x * frame.scale;
+      const fromY = frame.top - y * frame.scale;
+      addArrow(list, fromX, fromY, sumX * factor, -sumY * factor, longest, shaft, head);
     }
   }
 
@@ -65,7 +105,7 @@ export class ArrowArt {
   }
 }
 
-/** One arrow for each particle, from its centre. */
+/** One arrow for each particle, from its centre, but for those in whose place a body is drawn. */
 function addArrows(
   valueX: Float64Array,
   valueY: Float64Array,
@@ -78,7 +118,8 @@ function addArrows(
   const factor = scale * frame.scale;
   const { x, y } = frame;
   for (let i = 0; i < Math.min(count, valueX.length); i++) {
-    if (alive[i] === 0 || inverseMass[i] === 0 || frame.misses(x[i], y[i], x[i], y[i], longest)) continue;
+    if (alive[i] === 0 || inverseMass[i] === 0 || frame.bodyOf[i] > 0) continue;
+    if (frame.misses(x[i], y[i], x[i], y[i], longest)) continue;
     addArrow(list, x[i], y[i], valueX[i] * factor, -valueY[i] * factor, longest, shaft, head);
   }
 }

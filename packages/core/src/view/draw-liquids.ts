@@ -11,7 +11,7 @@ import type { SceneStyle } from './scene-style.ts';
 export interface ToldLiquid {
   /** Height of the surface at a place. Unit: m. */
   levelAt(x: number): number;
-  /** Whether the surface is level is known where this is a number; else it is looked at in many places. */
+  /** A number where the surface is level, else it is looked at in many places; a function also at any time. */
   readonly level?: number | LiquidLevel;
   /** Unit: kg/m³. */
   readonly density?: number;
@@ -35,6 +35,7 @@ const stride = 4;
 export class LiquidArt {
   readonly #fills: PaintRamp<'density'> | null;
   readonly #surfaces: PaintRamp<'density'> | null;
+  readonly #noted: unknown[] = [];
 
   constructor({ liquids }: SceneStyle) {
     const { fill = '', colorBy = null, alpha = 0, surfaceWidth = 0 } = liquids ?? {};
@@ -42,11 +43,26 @@ export class LiquidArt {
     this.#surfaces = liquids && surfaceWidth > 0 ? new PaintRamp(fill, colorBy, 1, [surfaceWidth]) : null;
   }
 
-  /** Whether some liquid looks another way now than with the last drawing at this `time`, by what it tells. */
-  isMoving(forces: readonly ForceGenerator[]): boolean {
+  /** Takes note of what the liquids are, and tells whether some looks another way than when this was last called. */
+  note(forces: readonly ForceGenerator[], time: number): boolean {
     if (this.#fills === null) return false;
-    for (let f = 0; f < forces.length; f++) if (liquidIn(forces[f])) return true;
-    return false;
+    const noted = this.#noted;
+    let changed = false;
+    let at = 0;
+    for (let f = 0; f < forces.length; f++) {
+      const liquid = liquidIn(forces[f]);
+      if (liquid === undefined) continue;
+      // A level that is not a number may be another one at another time.
+      const level = typeof liquid.level === 'number' ? liquid.level : time;
+      changed = noted[at] !== liquid || noted[at + 1] !== level || noted[at + 2] !== liquid.density || changed;
+      noted[at] = liquid;
+      noted[at + 1] = level;
+      noted[at + 2] = liquid.density;
+      at += 3;
+    }
+    changed ||= noted.length !== at;
+    noted.length = at;
+    return changed;
   }
 
   /** Adds the liquids among the force generators. */
@@ -75,7 +91,12 @@ export class LiquidArt {
     const lid = top - maxY * scale;
     if (!(from < to)) return;
     const steps = typeof liquid.level === 'number' ? 1 : Math.ceil((to - from) / stride);
-    const yAt = (x: number): number => Math.max(lid, top - liquid.levelAt((x - left) / scale) * scale);
+    const { level } = liquid;
+    const yAt = (screenX: number): number => {
+      const x = (screenX - left) / scale;
+      const y = typeof level === 'function' ? level(x, frame.time) : liquid.levelAt(x);
+      return Math.max(lid, top - y * scale);
+    };
     for (let k = 0; k <= steps; k++) {
       const x = from + ((to - from) * k) / steps;
       list.add(x, Math.min(bottom, yAt(x)));

@@ -20,6 +20,8 @@ export class Frame {
   width = 0;
   height = 0;
   alpha = 1;
+  /** Between the times of the last two steps. Unit: s. */
+  time = 0;
   /** The way in which things hang, on the screen: a unit vector. */
   hangX = 0;
   hangY = 1;

@@ -1,4 +1,5 @@
 import type { Camera } from './camera.ts';
+import { completeStyle } from './complete-style.ts';
 import { ArrowArt } from './draw-arrows.ts';
 import { BodyArt } from './draw-bodies.ts';
 import { HullArt } from './draw-hulls.ts';
@@ -11,7 +12,6 @@ import { Frame } from './frame.ts';
 import type { Palette } from './palette.ts';
 import { PathList } from './path-list.ts';
 import { PinMarks } from './pin-marks.ts';
-import { completeStyle } from './scene-style.ts';
 import type { Style } from './style.ts';
 import type { ViewedWorld } from './viewed-world.ts';
 
@@ -39,7 +39,10 @@ export class Sketch {
   readonly #drawnView = new Float64Array(5);
   #hidden: Uint8Array = new Uint8Array(0);
   #bound: Uint8Array = new Uint8Array(0);
-  #drawn = false;
+  #seenWorld: ViewedWorld | null = null;
+  #seenTime = 0;
+  #seenSteps = 0;
+  #dt = 0;
 
   /** The palette is the one of the same style. */
   constructor(style: Style, palette: Palette) {
@@ -75,6 +78,7 @@ export class Sketch {
   update(world: ViewedWorld, discs: DrawList, camera: Camera, alpha: number): void {
     const frame = this.#frame;
     frame.set(world, discs, camera, alpha);
+    frame.time = this.#timeOf(world, alpha);
     this.#updateGround(world, camera);
     const { below, above } = this;
     below.clear();
@@ -91,11 +95,23 @@ export class Sketch {
   #updateGround({ forces, shapes }: ViewedWorld, camera: Camera): void {
     const moved = this.#noteView(camera);
     const changed = this.#noteShapes(shapes);
-    if (this.#drawn && !moved && !changed && !this.#liquids.isMoving(forces)) return;
-    this.#drawn = !this.#liquids.isMoving(forces);
+    const flowed = this.#liquids.note(forces, this.#frame.time);
+    if (!moved && !changed && !flowed && this.ground.version > 0) return;
     this.ground.clear();
     this.#liquids.draw(forces, this.ground, this.#frame);
     this.#shapes.draw(shapes, this.ground, this.#frame);
+  }
+
+  /** The time between the last two steps that is drawn: a step is as long as those since the last frame were. */
+  #timeOf(world: ViewedWorld, alpha: number): number {
+    const { time, stepCount } = world;
+    const steps = stepCount - this.#seenSteps;
+    if (world !== this.#seenWorld) this.#dt = 0;
+    else if (steps > 0) this.#dt = (time - this.#seenTime) / steps;
+    this.#seenWorld = world;
+    this.#seenSteps = stepCount;
+    this.#seenTime = time;
+    return time - (1 - alpha) * this.#dt;
   }
 
   #noteView({ x, y, pixelsPerMetre, width, height }: Camera): boolean {

@@ -1,4 +1,4 @@
-import type { Color } from './color-style.ts';
+import type { Color, Ramp } from './color-style.ts';
 import type { BungeeStyle, LinkStyle, PinStyle, SpringStyle } from './link-style.ts';
 import type { ArrowStyle, BodyStyle, ContactStyle, LiquidStyle, ShapeStyle } from './scenery-style.ts';
 
@@ -16,16 +16,8 @@ export interface TrailStyle {
   readonly alpha?: number;
 }
 
-/** Fill by speed: the first colour at `from` and below, the last at `to` and above, even steps between. */
-export interface SpeedRamp {
-  readonly by: 'speed';
-  /** Unit: m/s. */
-  readonly from: number;
-  /** Unit: m/s. */
-  readonly to: number;
-  /** Two or more. */
-  readonly colors: readonly Color[];
-}
+/** Fill by speed, in m/s: see `Ramp`. */
+export type SpeedRamp = Ramp<'speed'>;
 
 /** How a particle looks: a disc of its own radius. */
 export interface ParticleStyle {

@@ -5,6 +5,7 @@ export type ViewedWorld = Pick<
   World,
   | 'particles'
   | 'time'
+  | 'stepCount'
   | 'gravity'
   | 'particleAt'
   | 'generationAt'
