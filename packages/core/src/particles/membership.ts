@@ -15,7 +15,7 @@ export function requireMember(where: string, particle: Particle, store: Particle
 
 /** The same for a list, and a copy of it. */
 export function requireMembers(where: string, particles: Iterable<Particle>, store: ParticleStore): Particle[] {
-  if (typeof particles?.[Symbol.iterator] !== 'function') {
+  if (typeof particles !== 'object' || typeof particles?.[Symbol.iterator] !== 'function') {
     throw new TypeError(`${where}: particles must be a list of particles; got ${describe(particles)}. Put it in [ ].`);
   }
   const members = [...particles];
