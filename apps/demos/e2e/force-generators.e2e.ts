@@ -1,3 +1,4 @@
+import type { Point } from '../src/scenes/scene.ts';
 import { expect, inWindow, openAtStart, openScene, pause, read, renderers, runTo, test } from './gallery.ts';
 
 const coefficients = [0, 0.25, 0.5, 1, 2, 4, 8];
@@ -42,8 +43,8 @@ test.describe('by touch', () => {
   test('a finger on a ball takes it, a finger beside it scrolls the page', async ({ page, context }) => {
     await openAtStart(page, 'force-generators');
     const touch = await context.newCDPSession(page);
-    const swipe = async (from: { x: number; y: number }, to: { x: number; y: number }): Promise<void> => {
-      await touch.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [from] });
+    const start = (at: Point) => touch.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [at] });
+    const move = async (from: Point, to: Point): Promise<void> => {
       for (let n = 1; n <= 8; n++) {
         const at = { x: from.x + ((to.x - from.x) * n) / 8, y: from.y + ((to.y - from.y) * n) / 8 };
         await touch.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: [at] });
@@ -52,7 +53,9 @@ test.describe('by touch', () => {
     const lift = () => touch.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
 
     const ball = await inWindow(page, 0, 19);
-    await swipe(ball, { x: ball.x, y: ball.y - 90 });
+    await start(ball);
+    await expect(page.locator('.pane')).toHaveClass(/grabbing/);
+    await move(ball, { x: ball.x, y: ball.y - 90 });
     await page.keyboard.press(' ');
     await expect.poll(() => read(page, ({ world }) => world.particleAt(3).y), { timeout: 60_000 }).toBeGreaterThan(20);
     await lift();
@@ -60,7 +63,8 @@ test.describe('by touch', () => {
 
     await pause(page);
     const beside = await inWindow(page, -25, 8);
-    await swipe(beside, { x: beside.x, y: beside.y - 160 });
+    await start(beside);
+    await move(beside, { x: beside.x, y: beside.y - 160 });
     await lift();
     await expect.poll(() => page.evaluate(() => window.scrollY)).toBeGreaterThan(60);
   });

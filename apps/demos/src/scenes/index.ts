@@ -1,10 +1,28 @@
+import { buoyancyExplained } from './buoyancy-explained.ts';
+import { buoyancyLiquids } from './buoyancy-liquids.ts';
+import { buoyancyMasses } from './buoyancy-masses.ts';
+import { buoyancyVolumes } from './buoyancy-volumes.ts';
+import { buoyancyWaves } from './buoyancy-waves.ts';
 import { fireworks } from './fireworks.ts';
 import { forceGenerators } from './force-generators.ts';
 import { projectiles } from './projectiles.ts';
 import type { Scene } from './scene.ts';
+import { springsAmplitude } from './springs-amplitude.ts';
+import { springsPeriod } from './springs-period.ts';
 
 /** Every scene, in the order of the thesis. */
-export const scenes: readonly Scene[] = [projectiles, fireworks, forceGenerators];
+export const scenes: readonly Scene[] = [
+  projectiles,
+  fireworks,
+  forceGenerators,
+  springsPeriod,
+  springsAmplitude,
+  buoyancyExplained,
+  buoyancyVolumes,
+  buoyancyMasses,
+  buoyancyLiquids,
+  buoyancyWaves,
+];
 
 /** The scene of an id; an error says which there are. */
 export function sceneOf(id: string | undefined): Scene {

@@ -1,0 +1,109 @@
+import { Buoyancy, bungee, Gravity, HalfPlane, type Particle, World } from '@mass/core';
+import { addFloat, Stillness } from './floats.ts';
+import type { Guide, Scene } from './scene.ts';
+
+const g = 10;
+const depth = 0.17;
+const metresPerNewton = 0.0052;
+const cord = { short: 0.075, long: 0.18, speed: 0.05 };
+
+/** An arrow for a force up or down, with its number. */
+function force(x: number, y: number, newtons: number, side: 'left' | 'right', tone: 'accent' | 'ink'): Guide[] {
+  const to = { x, y: y + newtons * metresPerNewton };
+  const text = `${Math.abs(newtons).toFixed(1)} N`;
+  const away = side === 'left' ? 0.006 : -0.006;
+  return [
+    { kind: 'arrow', from: { x, y }, to, tone },
+    { kind: 'label', x: x + away, y: (y + to.y) / 2, text, align: side, tone },
+  ];
+}
+
+export const buoyancyExplained: Scene<'mass' | 'volume' | 'density'> = {
+  id: 'buoyancy-explained',
+  figure: 'Figure 8',
+  title: 'Buoyancy, explained',
+  summary:
+    'The water lifts with the weight of what is displaced. A litre wholly under water is lifted with 10 N, whatever is in it. This block of half a kilogram weighs 5 N: a cord holds it down with the other 5 N. Let go and it rises until only half of it is under; there the lift is 5 N too, and it floats. Both blocks are alike, 1 m long, seen from their ends; g is 10 m/s².',
+  lookFor: 'Wholly under water the block is lifted with 10 N; afloat with 5 N, which is its weight.',
+  formula: String.raw`F=\rho\,V g\,d,\qquad d=\text{share under water}\in[0,1];\qquad\text{afloat: }F=m\,g`,
+  parameters: {
+    mass: { label: 'Mass', unit: 'kg', min: 0.1, max: 1.4, step: 0.05, value: 0.5 },
+    volume: { label: 'Volume', unit: 'litres', min: 0.5, max: 1.4, step: 0.1, value: 1 },
+    density: { label: 'Density of the liquid', unit: 'kg/m³', min: 700, max: 1300, step: 10, value: 1000 },
+  },
+  show: { minX: -0.19, maxX: 0.19, minY: -0.19, maxY: 0.095 },
+  draggable: true,
+  style: ({ series, accent }) => ({
+    particle: { fill: series[0] },
+    groups: { 1: { fill: accent } },
+    bungees: { width: 2.5 },
+  }),
+
+  build({ mass, volume, density }) {
+    const world = new World();
+    const water = new Buoyancy({ level: 0, density, g, k1: 24 });
+    world.addForce(new Gravity({ x: 0, y: -g }));
+    world.addForce(water);
+    world.addShape(new HalfPlane({ point: { x: 0, y: -depth } }));
+    const side = Math.sqrt(volume / 1000);
+    const block = { mass, width: side, height: side };
+    const held = addFloat(world, [water], block, { x: -0.08, y: -0.082 });
+    const free = addFloat(world, [water], block, { x: 0.09, y: 0.045 });
+    const line = world.addForce(
+      bungee({ x: -0.08, y: -depth }, held, { stiffness: 400, restLength: cord.short, damping: 3 }),
+    );
+    const still = new Stillness(2.5);
+    let pulling = true;
+    const turn = (): void => {
+      pulling = !pulling;
+    };
+
+    function forcesOn(block: Particle): Guide[] {
+      const { x, y } = block;
+      const share = Math.round(100 * water.submergedShare(block));
+      const guides: Guide[] = [
+        ...force(x, y + side / 2, water.force(block), 'left', 'accent'),
+        ...force(x - side / 4, y - side / 2, -mass * g, 'right', 'ink'),
+        { kind: 'label', x, y, text: `${share} %`, tone: 'ink' },
+      ];
+      if (block === held && line.force > 0.005)
+        guides.push(...force(x + side / 4, y - side / 2, -line.force, 'left', 'ink'));
+      return guides;
+    }
+
+    return {
+      world,
+      actions: [{ key: 'c', label: 'Let go, or pull under', run: turn }],
+      beforeStep(dt) {
+        if (still.has(world, dt)) turn();
+        // The winch lets the cord go at once and winds it in slowly.
+        line.restLength = pulling ? Math.max(cord.short, line.restLength - cord.speed * dt) : cord.long;
+      },
+      guides: () => [...forcesOn(held), ...forcesOn(free)],
+      readouts: () => [
+        { label: 'Lift, left', value: water.force(held), unit: 'N' },
+        { label: 'right', value: water.force(free), unit: 'N' },
+        { label: 'Weight', value: mass * g, unit: 'N' },
+      ],
+    };
+  },
+
+  check(run) {
+    const lift = (slot: number, { world }: { world: World }): number => {
+      const water = world.forces.find((each) => each instanceof Buoyancy);
+      return water?.force(world.particleAt(slot)) ?? Number.NaN;
+    };
+    const trial = run();
+    trial.run(2.4);
+    const under = lift(0, trial.setup);
+    const afloat = run();
+    for (let n = 0; n < 6; n++) afloat.run(2);
+    const { world } = afloat.setup;
+    return [
+      { name: 'lift wholly under water, N', value: under, atLeast: 10 - 1e-9, atMost: 10 + 1e-9 },
+      { name: 'speed of the block under water', value: Math.abs(trial.setup.world.particleAt(0).vy), atMost: 1e-3 },
+      { name: 'lift afloat, N', value: lift(1, afloat.setup), atLeast: 5 - 1e-9, atMost: 5 + 1e-9 },
+      { name: 'height of its middle, m', value: world.particleAt(1).y, atLeast: -1e-9, atMost: 1e-9 },
+    ];
+  },
+};
