@@ -1,5 +1,5 @@
 // Builds the gallery: static files in `dist` that work from any sub-path. `node build.ts` from this folder.
-import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { build as bundle, type Metafile } from 'esbuild';
@@ -10,6 +10,8 @@ import { scenes } from './src/scenes/index.ts';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const dist = join(here, 'dist');
+// Everything is made here first: a build that fails leaves the last one as it was, and a server never sees half of one.
+const next = 'node_modules/.gallery';
 
 /** The entries of the bundle: what a page loads by name. Every other chunk is loaded by these. */
 const entries = {
@@ -21,11 +23,11 @@ const entries = {
 
 /** Builds the gallery. Returns the folder of its static files. */
 export async function build(): Promise<string> {
-  rmSync(dist, { recursive: true, force: true });
+  rmSync(join(here, next), { recursive: true, force: true });
   const { metafile } = await bundle({
     absWorkingDir: here,
     entryPoints: entries,
-    outdir: dist,
+    outdir: next,
     entryNames: 'assets/[name]-[hash]',
     chunkNames: 'assets/chunk-[hash]',
     assetNames: 'assets/[name]-[hash]',
@@ -49,12 +51,14 @@ export async function build(): Promise<string> {
   }
   // GitHub Pages hides files whose name begins with an underscore unless told not to; other hosts do not mind the file.
   write('.nojekyll', '');
+  rmSync(dist, { recursive: true, force: true });
+  renameSync(join(here, next), dist);
   return dist;
 }
 
 /** The addresses of what a page loads, seen from the page: `toRoot` leads from it to `dist`. */
 function assetsOf(metafile: Metafile, script: 'list' | 'scene', toRoot: string): Assets {
-  const address = (output: string): string => `${toRoot}${output.replace(/^dist\//, '')}`;
+  const address = (output: string): string => `${toRoot}${output.slice(next.length + 1)}`;
   const outputOf = (entry: string): string => {
     const found = Object.keys(metafile.outputs).find((name) => metafile.outputs[name].entryPoint === entry);
     if (!found) throw new Error(`build: ${entry} must have an output; there is none.`);
@@ -80,7 +84,7 @@ function assetsOf(metafile: Metafile, script: 'list' | 'scene', toRoot: string):
 }
 
 function write(file: string, text: string): void {
-  const path = join(dist, file);
+  const path = join(here, next, file);
   mkdirSync(dirname(path), { recursive: true });
   writeFileSync(path, text);
 }

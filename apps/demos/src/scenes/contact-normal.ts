@@ -88,3 +88,42 @@ export const contactNormal: Scene<'weight' | 'restitution'> = {
       ],
     };
   },
+
+  check(run) {
+    const { setup, run: go } = run();
+    const [wrong, right] = [setup.world, setup.beside![0].world];
+    const apart = ({ particles: { x, y } }: World): number => Math.hypot(x[0] - x[1], y[0] - y[1]);
+    let farthest = 0;
+    let kept = Number.NaN;
+    go(4.9, () => {
+      farthest = Math.max(farthest, apart(right));
+      const { count, impulse, normalY } = right.contacts;
+      if (count === 0 || !Number.isNaN(kept)) return;
+      const { vy, inverseMass } = right.particles;
+      const after = (vy[0] - vy[1]) * normalY[0];
+      kept = -after / (after - impulse[0] * (inverseMass[0] + inverseMass[1]));
+    });
+    return [
+      { name: 'opposite normal: how far past their reach the hooks came', value: farthest - reach, atMost: 1e-9 },
+      { name: 'opposite normal: how far apart they end', value: apart(right), atLeast: reach - 1e-3 },
+      {
+        name: 'opposite normal: share of the speed given back',
+        value: kept,
+        atLeast: 0.3 - 1e-12,
+        atMost: 0.3 + 1e-12,
+      },
+      { name: 'normal as for discs: how far apart they end', value: apart(wrong), atLeast: reach + 1 },
+    ];
+  },
+};
+
+/** The normal, as the upper particle sees it, beside the place where the hooks touch. */
+function normal({ x, y }: Particle, sign: 1 | -1): Guide[] {
+  const from = { x: x + 0.95, y: y - 1.5 };
+  const to = { x: from.x, y: from.y + sign };
+  return [
+    { kind: 'circle', ...from, radius: 0.05, filled: true, tone: 'accent' },
+    { kind: 'arrow', from, to, tone: 'accent' },
+    { kind: 'label', x: from.x + 0.3, y: from.y + 0.5 * sign, text: 'n', tone: 'accent' },
+  ];
+}
