@@ -1,4 +1,4 @@
-import type { Particle } from '@mass/core';
+import type { Body, Particle, Pose } from '@mass/core';
 import {
   Bindings,
   type Camera,
@@ -24,6 +24,12 @@ export type CanvasTarget = HTMLCanvasElement | OffscreenCanvas | CanvasContext;
  */
 export type CanvasDrawing = (context: CanvasContext, x: number, y: number, radius: number, particle: Particle) => void;
 
+/**
+ * A game's own drawing of a body. The position of its centre is in CSS px, y down; the angle is one to hand to
+ * `context.rotate`. What it changes in the context, paths aside, is put back after it.
+ */
+export type CanvasBodyDrawing = (context: CanvasContext, x: number, y: number, angle: number, body: Body) => void;
+
 /** How to draw. */
 export interface CanvasRendererOptions {
   /** @default blue discs on a transparent ground */
@@ -34,10 +40,14 @@ export interface CanvasRendererOptions {
  * Draws a world into a canvas. The canvas is the renderer's: each `render` paints all of it. Its size on the page is the
  * game's to set, by CSS; `resize` gives it the pixels.
  */
-export class CanvasRenderer implements Renderer<CanvasDrawing> {
+export class CanvasRenderer implements Renderer<CanvasDrawing, CanvasBodyDrawing> {
   readonly #context: CanvasContext;
   readonly #list = new DrawList();
   readonly #bindings = new Bindings<CanvasDrawing>('CanvasRenderer');
+  readonly #bodyBindings = new Bindings<CanvasBodyDrawing, Body>('CanvasRenderer');
+  readonly #pose: Pose = { x: 0, y: 0, angle: 0 };
+  #camera: Camera | null = null;
+  #alpha = 1;
   #style: Style;
   #palette: Palette;
   #trails: Trails;
@@ -84,7 +94,9 @@ export class CanvasRenderer implements Renderer<CanvasDrawing> {
     const context = this.#context;
     const palette = this.#palette;
     this.#bindings.prune(world.particles);
-    this.#list.update(world, palette, camera, alpha, this.#sketch.hide(world, this.#bindings.bound));
+    this.#bodyBindings.prune(world.particles);
+    const hidden = this.#sketch.hide(world, this.#bindings.bound, this.#bodyBindings.bound);
+    this.#list.update(world, palette, camera, alpha, hidden);
     this.#sketch.update(world, this.#list, camera, alpha);
     this.#clear();
     context.save();
@@ -96,28 +108,37 @@ export class CanvasRenderer implements Renderer<CanvasDrawing> {
     }
     drawDiscs(context, this.#list, palette);
     context.globalAlpha = 1;
+    this.#camera = camera;
+    this.#alpha = alpha;
+    this.#bodyBindings.forEach(this.#drawBoundBody);
     this.#bindings.forEach(this.#drawBound);
     drawPaths(context, this.#sketch.above);
     context.restore();
   }
 
-  bind(particle: Particle, drawing: CanvasDrawing): void {
+  bind(particle: Particle, drawing: CanvasDrawing): void;
+  bind(body: Body, drawing: CanvasBodyDrawing): void;
+  bind(target: Particle | Body, drawing: CanvasDrawing | CanvasBodyDrawing): void {
     if (typeof drawing !== 'function') {
       throw new TypeError(
-        `CanvasRenderer.bind: the drawing must be a function (context, x, y, radius, particle); got ${typeof drawing}.`,
+        'CanvasRenderer.bind: the drawing must be a function (context, x, y, radius, particle) or (context, x, y, angle, body); ' +
+          `got ${typeof drawing}.`,
       );
     }
-    this.#bindings.bind(particle, drawing);
+    if (isBody(target)) this.#bodyBindings.bind(target, drawing as CanvasBodyDrawing);
+    else this.#bindings.bind(target, drawing as CanvasDrawing);
   }
 
-  unbind(particle: Particle): void {
-    this.#bindings.unbind(particle);
+  unbind(target: Particle | Body): void {
+    if (isBody(target)) this.#bodyBindings.unbind(target);
+    else this.#bindings.unbind(target);
   }
 
   destroy(): void {
     if (this.#destroyed) return;
     this.#destroyed = true;
     this.#bindings.clear();
+    this.#bodyBindings.clear();
     this.#trails.clear();
     const { canvas } = this.#context;
     this.#context.setTransform(1, 0, 0, 1, 0, 0);
@@ -151,6 +172,18 @@ export class CanvasRenderer implements Renderer<CanvasDrawing> {
     drawing(this.#context, x[slot], y[slot], radius[slot], particle);
     this.#context.restore();
   };
+
+  readonly #drawBoundBody = (drawing: CanvasBodyDrawing, body: Body): void => {
+    const camera = this.#camera as Camera;
+    const { x, y, angle } = body.pose(this.#alpha, this.#pose);
+    this.#context.save();
+    drawing(this.#context, camera.toScreenX(x), camera.toScreenY(y), -angle, body);
+    this.#context.restore();
+  };
+}
+
+function isBody(target: Particle | Body): target is Body {
+  return typeof target === 'object' && target !== null && 'pose' in target;
 }
 
 function contextOf(target: CanvasTarget): CanvasContext {

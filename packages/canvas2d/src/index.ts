@@ -1,4 +1,5 @@
 export {
+  type CanvasBodyDrawing,
   type CanvasDrawing,
   CanvasRenderer,
   type CanvasRendererOptions,

@@ -1,4 +1,4 @@
-import type { Particle } from '@mass/core';
+import type { Body, Particle, Pose } from '@mass/core';
 import {
   Bindings,
   type Camera,
@@ -44,6 +44,10 @@ export class PixiRenderer implements Renderer<Container> {
   readonly #above = new Triangles(this.#swatches);
   readonly #list = new DrawList();
   readonly #bindings: Bindings<Container>;
+  readonly #bodyBindings: Bindings<Container, Body>;
+  readonly #pose: Pose = { x: 0, y: 0, angle: 0 };
+  #camera: Camera | null = null;
+  #alpha = 1;
   readonly #renderer: PixiSystem | undefined;
   #style: Style;
   #palette: Palette;
@@ -66,9 +70,11 @@ export class PixiRenderer implements Renderer<Container> {
     this.#trails = new Trails(this.#palette);
     this.#sketch = new Sketch(style, this.#palette);
     this.#renderer = renderer;
-    this.#bindings = new Bindings('PixiRenderer', (drawing) => {
+    const release = (drawing: Container): void => {
       if (drawing.parent === this.#layer) this.#layer.removeChild(drawing);
-    });
+    };
+    this.#bindings = new Bindings('PixiRenderer', release);
+    this.#bodyBindings = new Bindings('PixiRenderer', release);
     this.#root.addChild(this.#background, this.#ground.mesh, this.#below.mesh);
     this.#root.addChild(this.#batch.container, this.#layer, this.#above.mesh);
     container.addChild(this.#root);
@@ -107,7 +113,9 @@ export class PixiRenderer implements Renderer<Container> {
     }
     const palette = this.#palette;
     this.#bindings.prune(world.particles);
-    this.#list.update(world, palette, camera, alpha, this.#sketch.hide(world, this.#bindings.bound));
+    this.#bodyBindings.prune(world.particles);
+    const hidden = this.#sketch.hide(world, this.#bindings.bound, this.#bodyBindings.bound);
+    this.#list.update(world, palette, camera, alpha, hidden);
     this.#sketch.update(world, this.#list, camera, alpha);
     this.#applySize();
     this.#paintBackground(camera);
@@ -125,28 +133,37 @@ export class PixiRenderer implements Renderer<Container> {
       this.#drawSketch();
     }
     this.#swatches.end();
+    this.#camera = camera;
+    this.#alpha = alpha;
+    this.#bodyBindings.forEach(this.#placeBody);
     this.#bindings.forEach(this.#place);
   }
 
-  /** Draws a sprite, or any other container, where the particle is; its scale, rotation and anchor are the game's. */
-  bind(particle: Particle, drawing: Container): void {
+  /**
+   * Draws a sprite, or any other container, where the particle or body is. Its position is set, and for a body its rotation;
+   * all else of it is the game's.
+   */
+  bind(target: Particle | Body, drawing: Container): void {
     if (typeof drawing?.addChild !== 'function') {
       throw new TypeError(
         `PixiRenderer.bind: the drawing must be a PixiJS Container or Sprite; got ${typeof drawing}.`,
       );
     }
-    this.#bindings.bind(particle, drawing);
+    if (isBody(target)) this.#bodyBindings.bind(target, drawing);
+    else this.#bindings.bind(target, drawing);
     this.#layer.addChild(drawing);
   }
 
-  unbind(particle: Particle): void {
-    this.#bindings.unbind(particle);
+  unbind(target: Particle | Body): void {
+    if (isBody(target)) this.#bodyBindings.unbind(target);
+    else this.#bindings.unbind(target);
   }
 
   destroy(): void {
     if (this.#destroyed) return;
     this.#destroyed = true;
     this.#bindings.clear();
+    this.#bodyBindings.clear();
     this.#trails.clear();
     this.#root.removeFromParent();
     this.#batch.container.removeFromParent();
@@ -211,4 +228,18 @@ export class PixiRenderer implements Renderer<Container> {
     }
     drawing.position.set(this.#list.x[particle.slot], this.#list.y[particle.slot]);
   };
+  readonly #placeBody = (drawing: Container, body: Body): void => {
+    if (drawing.destroyed) {
+      this.#bodyBindings.unbind(body);
+      return;
+    }
+    const camera = this.#camera as Camera;
+    const { x, y, angle } = body.pose(this.#alpha, this.#pose);
+    drawing.position.set(camera.toScreenX(x), camera.toScreenY(y));
+    drawing.rotation = -angle;
+  };
+}
+
+function isBody(target: Particle | Body): target is Body {
+  return typeof target === 'object' && target !== null && 'pose' in target;
 }

@@ -30,21 +30,22 @@ export class BodyArt {
     this.#palette = palette;
   }
 
-  /** Marks the slots of the bodies whose outline is drawn in place of their discs and links. */
-  hide(world: ViewedWorld, bodyOf: Uint32Array): void {
-    const style = this.#style;
-    if (style === null || style.skeleton) return;
-    const { bodies } = world;
+  /** Marks the slots of the bodies that are drawn in place of their discs and links: by their outline, or by the game. */
+  hide({ bodies }: ViewedWorld, bound: Uint8Array, bodyOf: Uint32Array): void {
+    const outlined = this.#style !== null && !this.#style.skeleton;
     for (let b = 0; b < bodies.length; b++) {
-      if (!isOutlined(bodies[b])) continue;
-      for (const particle of bodies[b].particles) bodyOf[particle.slot] = b + 1;
+      const { particles } = bodies[b];
+      if (bound[particles[0].slot] !== 1 && !(outlined && isOutlined(bodies[b]))) continue;
+      for (const particle of particles) bodyOf[particle.slot] = b + 1;
     }
   }
 
-  /** Adds the outline of each body that is a whole ring. */
-  draw(world: ViewedWorld, list: PathList, frame: Frame): void {
+  /** Adds the outline of each body that is a whole ring, but for those that are `bound`. */
+  draw(world: ViewedWorld, bound: Uint8Array, list: PathList, frame: Frame): void {
     if (this.#style === null) return;
-    for (const body of world.bodies) if (isOutlined(body)) this.#add(body, this.#style, world, list, frame);
+    for (const body of world.bodies) {
+      if (isOutlined(body) && bound[body.particles[0].slot] !== 1) this.#add(body, this.#style, world, list, frame);
+    }
   }
 
   #add(body: Body, style: BodyStyle, world: ViewedWorld, list: PathList, frame: Frame): void {

@@ -39,6 +39,7 @@ export class Sketch {
   readonly #drawnView = new Float64Array(5);
   #hidden: Uint8Array = new Uint8Array(0);
   #bound: Uint8Array = new Uint8Array(0);
+  #boundBodies: Uint8Array = new Uint8Array(0);
   #seenWorld: ViewedWorld | null = null;
   #seenTime = 0;
   #seenSteps = 0;
@@ -57,8 +58,11 @@ export class Sketch {
     this.#arrows = new ArrowArt(complete);
   }
 
-  /** 1 for each slot whose disc is not drawn: it is `bound`, or an outline takes its place. Comes before the discs. */
-  hide(world: ViewedWorld, bound: Uint8Array): Uint8Array {
+  /**
+   * 1 for each slot whose disc is not drawn: it is `bound`, or an outline takes its place. `boundBodies` is 1 for those of
+   * bodies in whose place the game draws. Comes before the discs.
+   */
+  hide(world: ViewedWorld, bound: Uint8Array, boundBodies: Uint8Array): Uint8Array {
     const { count, alive } = world.particles;
     const frame = this.#frame;
     if (this.#hidden.length < count) {
@@ -67,7 +71,8 @@ export class Sketch {
     }
     frame.bodyOf.fill(0);
     this.#bound = bound;
-    this.#bodies.hide(world, frame.bodyOf);
+    this.#boundBodies = boundBodies;
+    this.#bodies.hide(world, boundBodies, frame.bodyOf);
     const hidden = this.#hidden;
     for (let i = 0; i < count; i++) hidden[i] = bound[i] === 1 || frame.bodyOf[i] > 0 ? 1 : 0;
     this.#hulls.hide(world.forces, hidden);
@@ -85,7 +90,7 @@ export class Sketch {
     above.clear();
     this.#pins.begin(world.particles);
     this.#hulls.draw(world, this.#bound, below, frame);
-    this.#bodies.draw(world, below, frame);
+    this.#bodies.draw(world, this.#boundBodies, below, frame);
     this.#links.draw(world.links, below, frame, this.#pins);
     this.#springs.draw(world.forces, below, frame, this.#pins);
     this.#pins.draw(below, frame);
