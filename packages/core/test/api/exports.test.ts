@@ -35,6 +35,7 @@ it('[A1] the package exports exactly these names', () => {
       "explicitEuler",
       "forEachParticle",
       "fuelled",
+      "impact",
       "inRegion",
       "insideBox",
       "insideDisc",
