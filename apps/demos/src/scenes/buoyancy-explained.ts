@@ -1,6 +1,6 @@
-import { Buoyancy, bungee, Gravity, HalfPlane, type Particle, World } from '@mass/core';
+import { Buoyancy, bungee, Gravity, HalfPlane, inRegion, insideBox, type Particle, World } from '@mass/core';
 import { addFloat, Stillness } from './floats.ts';
-import type { Guide, Scene } from './scene.ts';
+import type { Guide, Scene, Setup } from './scene.ts';
 
 const g = 10;
 const depth = 0.17;
@@ -8,9 +8,16 @@ const metresPerNewton = 0.0052;
 const cord = { short: 0.075, long: 0.18, speed: 0.05 };
 
 /** An arrow for a force up or down, with its number. */
-function force(x: number, y: number, newtons: number, side: 'left' | 'right', tone: 'accent' | 'ink'): Guide[] {
+function force(
+  name: string,
+  x: number,
+  y: number,
+  newtons: number,
+  side: 'left' | 'right',
+  tone: 'accent' | 'ink',
+): Guide[] {
   const to = { x, y: y + newtons * metresPerNewton };
-  const text = `${Math.abs(newtons).toFixed(1)} N`;
+  const text = `${name} ${Math.abs(newtons).toFixed(1)} N`;
   const away = side === 'left' ? 0.006 : -0.006;
   return [
     { kind: 'arrow', from: { x, y }, to, tone },
@@ -33,9 +40,8 @@ export const buoyancyExplained: Scene<'mass' | 'volume' | 'density'> = {
   },
   show: { minX: -0.19, maxX: 0.19, minY: -0.19, maxY: 0.095 },
   draggable: true,
-  style: ({ series, accent }) => ({
-    particle: { fill: series[0] },
-    groups: { 1: { fill: accent } },
+  style: ({ series }) => ({
+    particle: { fill: series[3] },
     bungees: { width: 2.5 },
   }),
 
@@ -43,7 +49,7 @@ export const buoyancyExplained: Scene<'mass' | 'volume' | 'density'> = {
     const world = new World();
     const water = new Buoyancy({ level: 0, density, g, k1: 24 });
     world.addForce(new Gravity({ x: 0, y: -g }));
-    world.addForce(water);
+    world.addForce(inRegion(water, insideBox({ minY: -depth })));
     world.addShape(new HalfPlane({ point: { x: 0, y: -depth } }));
     const side = Math.sqrt(volume / 1000);
     const block = { mass, width: side, height: side };
@@ -62,12 +68,12 @@ export const buoyancyExplained: Scene<'mass' | 'volume' | 'density'> = {
       const { x, y } = block;
       const share = Math.round(100 * water.submergedShare(block));
       const guides: Guide[] = [
-        ...force(x, y + side / 2, water.force(block), 'left', 'accent'),
-        ...force(x - side / 4, y - side / 2, -mass * g, 'right', 'ink'),
-        { kind: 'label', x, y, text: `${share} %`, tone: 'ink' },
+        ...force('lift', x, y + side / 2, water.force(block), 'left', 'accent'),
+        ...force('weight', x - side / 4, y - side / 2, -mass * g, 'right', 'ink'),
+        { kind: 'label', x: x + side / 2 + 0.006, y, text: `${share} % under`, align: 'left' },
       ];
-      if (block === held && line.force > 0.005)
-        guides.push(...force(x + side / 4, y - side / 2, -line.force, 'left', 'ink'));
+      const pull = block === held ? -line.force : 0;
+      if (pull < -0.005) guides.push(...force('cord', x + side / 4, y - side / 2, pull, 'left', 'ink'));
       return guides;
     }
 
@@ -89,20 +95,19 @@ export const buoyancyExplained: Scene<'mass' | 'volume' | 'density'> = {
   },
 
   check(run) {
-    const lift = (slot: number, { world }: { world: World }): number => {
-      const water = world.forces.find((each) => each instanceof Buoyancy);
-      return water?.force(world.particleAt(slot)) ?? Number.NaN;
+    const newtons = ({ readouts }: Setup, label: string): number => {
+      return readouts?.().find((each) => each.label === label)?.value ?? Number.NaN;
     };
     const trial = run();
     trial.run(2.4);
-    const under = lift(0, trial.setup);
+    const under = newtons(trial.setup, 'Lift, left');
     const afloat = run();
     for (let n = 0; n < 6; n++) afloat.run(2);
     const { world } = afloat.setup;
     return [
       { name: 'lift wholly under water, N', value: under, atLeast: 10 - 1e-9, atMost: 10 + 1e-9 },
       { name: 'speed of the block under water', value: Math.abs(trial.setup.world.particleAt(0).vy), atMost: 1e-3 },
-      { name: 'lift afloat, N', value: lift(1, afloat.setup), atLeast: 5 - 1e-9, atMost: 5 + 1e-9 },
+      { name: 'lift afloat, N', value: newtons(afloat.setup, 'right'), atLeast: 5 - 1e-9, atMost: 5 + 1e-9 },
       { name: 'height of its middle, m', value: world.particleAt(1).y, atLeast: -1e-9, atMost: 1e-9 },
     ];
   },

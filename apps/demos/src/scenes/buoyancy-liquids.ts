@@ -32,14 +32,14 @@ export const buoyancyLiquids: Scene<'mass' | 'drag'> = {
   show: { minX: -7.3, maxX: 7.3, minY: -depth - 0.5, maxY: 3.9 },
   draggable: true,
   style: ({ series, dark }) => ({
-    particle: { fill: series[0] },
+    particle: { fill: series[3] },
     liquids: {
       alpha: dark ? 0.3 : 0.26,
       colorBy: {
         by: 'density',
         from: 740,
         to: 1400,
-        colors: [series[3], series[7], series[1], series[5], series[5], series[0]],
+        colors: [series[6], series[7], series[1], series[5], series[5], series[0]],
       },
     },
   }),
@@ -64,7 +64,7 @@ export const buoyancyLiquids: Scene<'mass' | 'drag'> = {
 
     const marks = liquids.flatMap(({ name, density }, basin): Guide[] => [
       { kind: 'label', x: xOf(basin), y: 3.5, text: name, tone: 'ink' },
-      { kind: 'label', x: xOf(basin), y: 2.9, text: `${density}` },
+      { kind: 'label', x: xOf(basin), y: 2.9, text: `ρ = ${density}` },
       outline(xOf(basin), restingHeight(float, density, depth), float),
     ]);
     return {

@@ -1,4 +1,4 @@
-import { Buoyancy, HalfPlane, type Particle, World } from '@mass/core';
+import { Buoyancy, HalfPlane, inRegion, insideBox, type Particle, World } from '@mass/core';
 import { addFloat, draught, outline, restingHeight, Stillness } from './floats.ts';
 import type { Guide, Scene } from './scene.ts';
 
@@ -23,11 +23,12 @@ export const buoyancyMasses: Scene<'step' | 'density' | 'drag'> = {
   },
   show: { minX: -7.9, maxX: 7.9, minY: -depth - 0.6, maxY: 3.4 },
   draggable: true,
-  style: ({ series }) => ({ particle: { fill: series[4] } }),
+  style: ({ series }) => ({ particle: { fill: series[3] } }),
 
   build({ step, density, drag }) {
     const world = new World({ gravity: { x: 0, y: -g } });
-    const liquid = world.addForce(new Buoyancy({ level: 0, density, g, k1: drag }));
+    const liquid = new Buoyancy({ level: 0, density, g, k1: drag });
+    world.addForce(inRegion(liquid, insideBox({ minY: -depth })));
     world.addShape(new HalfPlane({ point: { x: 0, y: -depth } }));
     const floats = lanes.map((lane) => ({ mass: lane * step, width: 1, height: 1 }));
     const still = new Stillness(3);
@@ -40,6 +41,7 @@ export const buoyancyMasses: Scene<'step' | 'density' | 'drag'> = {
 
     const last = Math.min(8.4, density / step);
     const marks: Guide[] = [
+      { kind: 'label', x: -7.7, y: 3, text: 'kg', align: 'left' },
       {
         kind: 'curve',
         points: [xOf(0.4), (-0.4 * step) / density, xOf(last), (-last * step) / density],
@@ -47,7 +49,7 @@ export const buoyancyMasses: Scene<'step' | 'density' | 'drag'> = {
       },
       ...floats.map((float, n) => outline(xOf(lanes[n]), restingHeight(float, density, depth), float)),
       ...floats.map(({ mass }, n): Guide => {
-        return { kind: 'label', x: xOf(lanes[n]), y: 3, text: `${mass} kg`, tone: 'ink' };
+        return { kind: 'label', x: xOf(lanes[n]), y: 3, text: `${mass}`, tone: 'ink' };
       }),
     ];
     return {

@@ -1,4 +1,4 @@
-import { Buoyancy, HalfPlane, type Particle, Random, World } from '@mass/core';
+import { Buoyancy, HalfPlane, inRegion, insideBox, type Particle, Random, World } from '@mass/core';
 import { addFloat, draught, type Float, outline, restingHeight, Stillness } from './floats.ts';
 import { PeriodMeter } from './period-meter.ts';
 import type { Guide, Scene } from './scene.ts';
@@ -24,12 +24,13 @@ export const buoyancyVolumes: Scene<'mass' | 'density' | 'drag'> = {
   },
   show: { minX: -8.2, maxX: 8.2, minY: -depth - 0.6, maxY: 3.6 },
   draggable: true,
-  style: ({ series }) => ({ particle: { fill: series[2] } }),
+  style: ({ series }) => ({ particle: { fill: series[3] } }),
 
   build({ mass, density, drag }, seed) {
     const world = new World({ gravity: { x: 0, y: -g } });
     const random = new Random(seed);
-    const liquid = world.addForce(new Buoyancy({ level: 0, density, g, k1: drag }));
+    const liquid = new Buoyancy({ level: 0, density, g, k1: drag });
+    world.addForce(inRegion(liquid, insideBox({ minY: -depth })));
     world.addShape(new HalfPlane({ point: { x: 0, y: -depth } }));
     const still = new Stillness(3);
     let boxes: { float: Float; particle: Particle }[] = [];
@@ -42,10 +43,12 @@ export const buoyancyVolumes: Scene<'mass' | 'density' | 'drag'> = {
         const float = { mass, width: side, height: side };
         return { float, particle: addFloat(world, [liquid], float, { x: xOf(lane), y: top }) };
       });
-      marks = boxes.flatMap(({ float }, lane): Guide[] => [
+      const unit: Guide = { kind: 'label', x: -8, y: 3.25, text: 'm³', align: 'left' };
+      const lanes = boxes.flatMap(({ float }, lane): Guide[] => [
         outline(xOf(lane), restingHeight(float, density, depth), float),
-        { kind: 'label', x: xOf(lane), y: 3.35, text: `${(float.width * float.height).toFixed(2)} m³`, tone: 'ink' },
+        { kind: 'label', x: xOf(lane), y: 3.25, text: `${(float.width * float.height).toFixed(2)}`, tone: 'ink' },
       ]);
+      marks = [unit, ...lanes];
     }
     drop();
 

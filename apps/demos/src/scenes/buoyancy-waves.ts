@@ -27,7 +27,7 @@ export const buoyancyWaves: Scene<'length' | 'height' | 'stiffness'> = {
   figure: 'Figure 12',
   title: 'Floats joined make waves',
   summary:
-    'A row of floats, each joined to the next by a spring. The first is moved up and down; each pulls the next along, a little late, and a wave runs down the row, while the water lies still. Buoyancy pulls a float back to its place and the springs to its neighbours; both together give the wave its speed. The dotted line is the closed form. Take hold of a float and make waves of your own: they run out at the ends, which are led.',
+    'A row of floats, each joined to the next by a spring. The first is moved up and down; each pulls the next along, a little late, and a wave runs down the row, over water that lies still. Buoyancy pulls a float back to its place and the springs to its neighbours; both together give the wave its speed. The dotted line is the closed form. Take hold of a float and make waves of your own: they run out at the ends, which are led along it.',
   lookFor: 'The wave runs to the right, yet no float does: watch the bright one, which only bobs.',
   formula: String.raw`\omega^2=\frac{\rho\,A\,g}{m}+\frac{4k}{m}\sin^2\frac{\pi a}{\lambda},\qquad y(x,t)=y_0\sin\Bigl(\frac{2\pi x}{\lambda}-\omega t\Bigr)`,
   parameters: {
@@ -35,13 +35,14 @@ export const buoyancyWaves: Scene<'length' | 'height' | 'stiffness'> = {
     height: { label: 'Height of the wave', unit: 'm', min: 0.1, max: 0.9, step: 0.05, value: 0.65, live: true },
     stiffness: { label: 'Stiffness of the springs', unit: 'kN/m', min: 4, max: 40, step: 1, value: 16 },
   },
-  show: { minX: -1.2, maxX: count + 0.2, minY: -5, maxY: 4.4 },
+  show: { minX: -1.2, maxX: count + 0.2, minY: -4.2, maxY: 3.6 },
   step,
   draggable: true,
-  style: ({ series, accent }) => ({
-    particle: { fill: series[1] },
+  style: ({ series, accent, ink }) => ({
+    particle: { fill: series[3] },
     groups: { 1: { fill: accent } },
-    springs: { coils: 4, diameter: 8 },
+    springs: { color: ink, coils: 4, diameter: 16 },
+    pins: null,
   }),
 
   build(values) {
@@ -49,7 +50,7 @@ export const buoyancyWaves: Scene<'length' | 'height' | 'stiffness'> = {
     const stiffness = 1000 * values.stiffness;
     const { period, speed } = runOf(stiffness, values.length);
     const wave = travellingWave({ amplitude: 1, length: values.length, speed });
-    const height = (n: number): number => values.height * wave(n, world.time);
+    const height = (n: number, time = world.time): number => values.height * wave(n, time);
     // Velocities are those of the middle of the step before: semi-implicit steps leap over positions.
     const rise = (n: number): number => {
       return ((-2 * Math.PI * values.height) / period) * wave(n + values.length / 4, world.time - step / 2);
@@ -68,8 +69,10 @@ export const buoyancyWaves: Scene<'length' | 'height' | 'stiffness'> = {
 
     return {
       world,
-      beforeStep() {
-        for (const n of ends) Object.assign(floats[n], { y: height(n), vy: 0 });
+      beforeStep(dt) {
+        for (const n of ends) {
+          Object.assign(floats[n], { y: height(n), vy: (height(n, world.time + dt) - height(n)) / dt });
+        }
         for (const [n, box] of floats.entries()) {
           const firm = lead(n) * float.mass;
           if (firm > 0) box.applyForce(-firm * box.vx, firm * (rise(n) - box.vy));
@@ -77,7 +80,7 @@ export const buoyancyWaves: Scene<'length' | 'height' | 'stiffness'> = {
       },
       guides() {
         const points: number[] = [];
-        for (let x = 0; x <= count - 1; x += 0.25) points.push(x, height(x));
+        for (let x = 0; x <= count - 1; x += 0.25) points.push(x, height(x) + float.height / 2);
         return [{ kind: 'curve', points, dashed: true, tone: 'ink' }];
       },
       readouts: () => [
@@ -104,7 +107,7 @@ export const buoyancyWaves: Scene<'length' | 'height' | 'stiffness'> = {
       {
         name: 'furthest that a float is off the closed form, as a share of the height',
         value: off / 0.65,
-        atMost: 0.05,
+        atMost: 0.01,
       },
       { name: 'furthest that a float travels, m', value: sideways, atMost: 1e-9 },
     ];

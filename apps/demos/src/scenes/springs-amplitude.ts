@@ -3,7 +3,7 @@ import { PeriodMeter } from './period-meter.ts';
 import type { Guide, Scene } from './scene.ts';
 
 const lanes = [1, 2, 3, 4];
-const rest = 6;
+const rest = 7.5;
 const floor = -3;
 const height = 4.4;
 const yOf = (lane: number): number => 5.2 - 0.85 * lane;
@@ -19,11 +19,11 @@ export const springsAmplitude: Scene<'stretch' | 'stiffness' | 'mass'> = {
     'However far they swing, all pass the middle together; there the energy is all kinetic, at the ends all potential.',
   formula: String.raw`E=\underbrace{\tfrac12 m\,v^2}_{\text{kinetic}}+\underbrace{\tfrac12 k\,x^2}_{\text{potential}}=\tfrac12 k\,x_0^2,\qquad x(t)=x_0\cos\Bigl(\sqrt{k/m}\;t\Bigr)`,
   parameters: {
-    stretch: { label: 'Widest stretch', unit: 'm', min: 2, max: 5, step: 0.1, value: 4.4 },
+    stretch: { label: 'Widest stretch', unit: 'm', min: 3, max: 7, step: 0.2, value: 6 },
     stiffness: { label: 'Stiffness', unit: 'N/m', min: 2, max: 20, step: 0.5, value: 5 },
     mass: { label: 'Each mass', unit: 'kg', min: 0.5, max: 3, step: 0.1, value: 1 },
   },
-  show: { minX: -6.8, maxX: 7.4, minY: -3.5, maxY: 5.7 },
+  show: { minX: -8.6, maxX: 9, minY: -3.5, maxY: 5.6 },
   step: 1 / 240,
   draggable: true,
   style: ({ series, accent, paper }) => ({
@@ -35,7 +35,7 @@ export const springsAmplitude: Scene<'stretch' | 'stiffness' | 'mass'> = {
   build({ stretch, stiffness, mass }) {
     const world = new World();
     const springs = world.addForce(new Springs());
-    world.addShape(new Box({ centre: { x: -rest - 0.2, y: yOf(1.5) }, width: 0.4, height: 3.6 }));
+    world.addShape(new Box({ centre: { x: -rest - 0.2, y: yOf(1.5) }, width: 0.4, height: 3.3 }));
     const starts = lanes.map((lane) => (stretch * lane) / lanes.length);
     const pairs = starts.map((start, lane): [Particle, Spring] => {
       const bob = world.addParticle({ x: start, y: yOf(lane), mass, radius: 0.26, group: 1 });
@@ -48,8 +48,8 @@ export const springsAmplitude: Scene<'stretch' | 'stiffness' | 'mass'> = {
     const still: Guide[] = [
       { kind: 'curve', points: [0, floor, 0, yOf(-0.5)], dashed: true },
       { kind: 'curve', points: well.flatMap((x) => [x, up((stiffness * x * x) / 2)]), tone: 'ink' },
-      { kind: 'label', x: -6.6, y: floor + 0.75, text: 'kinetic', tone: 'accent', align: 'left' },
-      { kind: 'label', x: -6.6, y: floor + 0.2, text: 'potential', tone: 1, align: 'left' },
+      { kind: 'label', x: -7.9, y: floor + 0.85, text: 'kinetic', tone: 'accent', align: 'left' },
+      { kind: 'label', x: -7.9, y: floor + 0.2, text: 'potential', tone: 1, align: 'left' },
     ];
     for (const start of starts) {
       const energy = (stiffness * start * start) / 2;
@@ -66,7 +66,7 @@ export const springsAmplitude: Scene<'stretch' | 'stiffness' | 'mass'> = {
         ...still,
         ...starts.map((start, lane): Guide => {
           const x = start * Math.cos(omega * world.time);
-          return { kind: 'circle', x, y: yOf(lane), radius: 0.36, tone: 'ink', opacity: 0.6 };
+          return { kind: 'circle', x, y: yOf(lane), radius: 0.36, tone: 'ink', opacity: 0.45 };
         }),
         ...pairs.flatMap(([bob, spring]): Guide[] => {
           const x = spring.extension;

@@ -23,8 +23,9 @@ export const springsPeriod: Scene<'stiffness' | 'mass' | 'stretch'> = {
   },
   show: { minX: -7.2, maxX: 9.6, minY: -4, maxY: 4.7 },
   draggable: true,
-  style: ({ series, paper }) => ({
+  style: ({ series, paper, quiet, ink }) => ({
     particle: { stroke: paper, strokeWidth: 1.5 },
+    springs: { colorBy: { by: 'stiffness', from: 2, to: 64, colors: [quiet, ink] } },
     groups: Object.fromEntries(times.map((_, lane) => [lane, { fill: series[lane + 1] }])),
   }),
 
@@ -86,10 +87,11 @@ export const springsPeriod: Scene<'stiffness' | 'mass' | 'stretch'> = {
           return { kind: 'curve', points: [x, y, lines[lane].at(-2) ?? 0, y], tone: lane, opacity: 0.3 };
         }),
       ],
-      readouts: () => [
-        { label: 'Softest', value: meters[0].period, unit: 's', digits: 3 },
-        { label: 'Stiffest', value: meters[3].period, unit: 's', digits: 3 },
-      ],
+      readouts: () =>
+        [
+          { label: 'Softest swings in', value: meters[0].period, unit: 's', digits: 3 },
+          { label: 'Stiffest', value: meters[3].period, unit: 's', digits: 3 },
+        ].filter(({ value }) => value > 0),
     };
   },
 
