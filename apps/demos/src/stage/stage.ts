@@ -25,6 +25,9 @@ export interface StageOptions {
 /** The longest time between two frames that is caught up with: a tab that was hidden does not run ahead. Unit: s. */
 const LONGEST_FRAME = 0.25;
 
+/** The most that one frame steps, however short the scene's step is; what is missing beyond is dropped. Unit: s. */
+const CATCH_UP = 1 / 12;
+
 /**
  * A scene on a page: its worlds, their pictures, the loop. It serves a scene's own page and a thumbnail alike, with
  * whichever renderer.
@@ -69,7 +72,8 @@ export class Stage {
     this.seed = options.seed;
     this.#palette = options.palette;
     this.#style = this.scene.style(options.palette);
-    this.clock = new FixedTimestep({ step: this.scene.step ?? DEFAULT_STEP });
+    const step = this.scene.step ?? DEFAULT_STEP;
+    this.clock = new FixedTimestep({ step, maxSteps: Math.ceil(CATCH_UP / step) });
     this.#setup = this.scene.build(this.values, this.seed);
     for (const { world, label } of this.#worlds()) {
       const pane = new Pane(world, canvasPicture(this.#style), this.scene.show);
