@@ -167,6 +167,30 @@ describe('which contacts there are', () => {
     }
   });
 
+  it('[C10] a few discs much larger than the others are found with all that they touch, in the same order', () => {
+    const world = new World();
+    world.addContactGenerator(new DiscContacts());
+    const discs = Array.from({ length: 300 }, (_, i) => ({
+      x: ((i * 37) % 100) * 0.1,
+      y: ((i * 61) % 90) * 0.1,
+      radius: i % 100 === 50 ? 3 : i % 9 === 0 ? 0 : 0.1,
+    }));
+    for (const disc of discs) world.addParticle({ ...disc });
+    const expected: number[][] = [];
+    for (let i = 0; i < 300; i++) {
+      for (let j = i + 1; j < 300; j++) {
+        const [a, b] = [discs[i], discs[j]];
+        if (a.radius > 0 && b.radius > 0 && Math.hypot(a.x - b.x, a.y - b.y) < (a.radius + b.radius) * 1.01) {
+          expected.push([i, j]);
+        }
+      }
+    }
+    world.step(1e-9);
+    const found = pairsOf(world);
+    expect(found.toSorted((p, q) => p[0] - q[0] || p[1] - q[1])).toEqual(expected);
+    expect(found.map(([i]) => i)).toEqual(found.map(([i]) => i).toSorted((p, q) => p - q));
+  });
+
   it('[C11] at the limit the rest is left out, and counted', () => {
     const world = new World({ contactLimit: 2 });
     world.addContactGenerator(new DiscContacts());
