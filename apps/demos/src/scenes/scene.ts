@@ -115,6 +115,8 @@ export type Guide =
       readonly points: ArrayLike<number>;
       readonly tone?: Tone;
       readonly dashed?: boolean;
+      /** Twice as wide: what the eye should follow. */
+      readonly bold?: boolean;
       readonly opacity?: number;
     }
   /** A ring or a dot. */
@@ -132,6 +134,8 @@ export type Guide =
       readonly from: Point;
       readonly to: Point;
       readonly tone?: Tone;
+      /** Twice as wide: what the eye should follow. */
+      readonly bold?: boolean;
       readonly opacity?: number;
     }
   | {

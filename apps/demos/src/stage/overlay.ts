@@ -46,7 +46,7 @@ export class Overlay {
     for (const guide of guides) {
       const color = colorOf(guide.tone ?? 'quiet', ink);
       context.globalAlpha = guide.opacity ?? 1;
-      context.lineWidth = line;
+      context.lineWidth = 'bold' in guide && guide.bold ? 2 * line + 0.5 : line;
       context.strokeStyle = color;
       context.fillStyle = color;
       drawGuide(context, guide, camera, ink);
@@ -115,7 +115,7 @@ function drawLevel(context: CanvasRenderingContext2D, points: ArrayLike<number>,
 function drawArrow(context: CanvasRenderingContext2D, x0: number, y0: number, x1: number, y1: number): void {
   const length = Math.hypot(x1 - x0, y1 - y0);
   if (length < 0.5) return;
-  const head = Math.min(9, length * 0.6);
+  const head = Math.min(6 + 2.5 * context.lineWidth, length * 0.6);
   const ux = (x1 - x0) / length;
   const uy = (y1 - y0) / length;
   const neckX = x1 - ux * head;
