@@ -28,8 +28,7 @@ export class Corrections {
   readonly #touches: Touches;
   readonly #places = new Places();
   readonly #complementarity = new Complementarity();
-  /** Of each touch: the gap as the step ends, and its index among the contacts or -1. */
-  #gap = new Float64Array(0);
+  /** Of each touch: its index among the contacts, or -1. */
   #contact = new Int32Array(0);
   /** Of each contact. */
   #list = new Int32Array(0);
@@ -66,27 +65,16 @@ export class Corrections {
 
   /** Finds the gap of each touch, and the normal between two discs, at the end of the step. */
   #measure(particles: ParticleStore, sources: ContactSources): void {
-    const { count, a, b, source, normalX, normalY } = this.#touches;
-    if (this.#gap.length < count) {
-      this.#gap = new Float64Array(a.length);
-      this.#contact = new Int32Array(a.length);
-    }
+    const touches = this.#touches;
+    const { count, a, b, gap, source, normalX, normalY } = touches;
     const { x, y, radius } = particles;
+    if (this.#contact.length < count) this.#contact = new Int32Array(a.length);
     for (let t = 0; t < count; t++) {
       const i = a[t];
-      const j = b[t];
-      if (j === SCENERY) {
-        const shape = sources.shapes.list[source[t] - sources.links.length];
-        this.#gap[t] = this.#places.gapAt(shape, x[i], y[i], radius[i], normalX[t], normalY[t]);
-        continue;
-      }
-      const dx = x[i] - x[j];
-      const dy = y[i] - y[j];
-      const distance = Math.sqrt(dx * dx + dy * dy);
-      this.#gap[t] = distance - radius[i] - radius[j];
-      if (distance === 0) continue;
-      normalX[t] = dx / distance;
-      normalY[t] = dy / distance;
+      touches.measure(t, particles);
+      if (b[t] !== SCENERY) continue;
+      const shape = sources.shapes.list[source[t] - sources.links.length];
+      gap[t] = this.#places.gapAt(shape, x[i], y[i], radius[i], normalX[t], normalY[t]);
     }
   }
 
@@ -97,17 +85,19 @@ export class Corrections {
     contacts: ContactBuffer,
     still: boolean,
   ): void {
-    const { count, a, b, source, normalX, normalY } = this.#touches;
+    const { count, a, b, gap, source, normalX, normalY, impulse } = this.#touches;
     for (let t = 0; t < count; t++) {
       const i = a[t];
       const j = b[t];
       const reach = TOUCHING * (j === SCENERY ? radius[i] : Math.min(radius[i], radius[j]));
-      if (this.#gap[t] <= reach !== still) continue;
+      if (gap[t] <= reach !== still) continue;
+      this.#contact[t] = -1;
+      if (!still && impulse[t] === 0) continue; // was near, no more
       const other = j === SCENERY ? sources.shapes.list[source[t] - sources.links.length].restitution : restitution[j];
       contacts.currentSource = source[t];
       const c = contacts.count;
-      contacts.push(i, j, normalX[t], normalY[t], -this.#gap[t], Math.max(restitution[i], other));
-      this.#contact[t] = contacts.count > c ? c : -1;
+      contacts.push(i, j, normalX[t], normalY[t], -gap[t], Math.max(restitution[i], other));
+      if (contacts.count > c) this.#contact[t] = c;
     }
   }
 

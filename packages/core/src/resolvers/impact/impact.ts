@@ -64,8 +64,8 @@ class ImpactResolver implements Resolver {
     touches.clear(particles.count);
     rests.begin();
     this.#schedule.begin(shapes, contacts, discs >= 0);
-    findShapeTouches(this.#flight, shapes, firstShape, this.#places, touches, rests);
-    findDiscTouches(this.#flight, this.#schedule.pairs, contacts, this.#discSource, touches, rests);
+    findShapeTouches(this.#flight, shapes, firstShape, this.#places, touches);
+    findDiscTouches(this.#flight, this.#schedule.pairs, contacts, this.#discSource, touches);
     if (touches.count === 0) return;
     rests.settleAll();
     this.#schedule.findPairs();

@@ -30,13 +30,9 @@ export class Impacts {
     const flight = this.#flight;
     flight.advance(i, now);
     flight.advance(j, now);
-    const { x, y, restitution } = flight.particles;
-    const dx = x[i] - x[j];
-    const dy = y[i] - y[j];
-    const distance = Math.sqrt(dx * dx + dy * dy);
-    const nx = distance === 0 ? 0 : dx / distance;
-    const ny = distance === 0 ? 1 : dy / distance;
-    this.#hit(i, j, this.#touches.add(i, j, source, nx, ny), Math.max(restitution[i], restitution[j]), now);
+    const { restitution } = flight.particles;
+    const c = this.#touches.addDiscs(i, j, source, flight.particles);
+    this.#hit(i, j, c, Math.max(restitution[i], restitution[j]), now);
   }
 
   /** A particle touches a shape: of the places that it touches the one that it closes on fastest counts. */
@@ -59,15 +55,15 @@ export class Impacts {
       this.#count(i, SCENERY); // the shape reports there what it did not on the way: this must end too
       return;
     }
-    const c = this.#touches.add(i, SCENERY, source, places.normalX[found], places.normalY[found]);
+    const { gap, normalX, normalY } = places;
+    const c = this.#touches.addPlace(i, source, flight.particles, gap[found], normalX[found], normalY[found]);
     this.#hit(i, SCENERY, c, Math.max(restitution[i], shape.restitution), now);
   }
 
   #hit(i: number, j: number, c: number, restitution: number, now: number): void {
-    const { a, b, normalX, normalY } = this.#touches;
     const closing = -this.#rests.separatingVelocity(c);
     const many = this.#count(i, j);
-    if (closing <= this.#rests.restingSpeed(a[c], b[c], normalX[c], normalY[c])) {
+    if (closing <= this.#rests.restingSpeed(c)) {
       this.#rests.settle(c, now);
       return;
     }

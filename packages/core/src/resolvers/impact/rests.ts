@@ -9,20 +9,25 @@ import type { Touches } from './touches.ts';
 const STILL_VELOCITY = 1e-13;
 const STILL_ACCELERATION = 1e-11;
 
+/** Impacts of one particle in one step that are nothing unusual. */
+const FEW = 8;
+
 /**
  * What rests on what. Two things come to rest on each other when they touch no faster than the acceleration of one step
- * makes them: from then on their normal velocity is 0, and the normal acceleration that presses them together is cancelled,
- * for all touches that hang together at once. So a pile at rest costs no impacts, and what slides does so on exact parabolas.
+ * makes them. From then on, for all that hangs together there at once, velocities and accelerations are such that none of
+ * these is in another as the step ends. So a pile at rest costs no impacts, and what slides does so on exact parabolas.
  */
 export class Rests {
-  /** The particles whose way the last call changed. */
+  /** Those particles whose way the last call changed. */
   readonly cluster: Cluster = new Cluster();
   readonly #flight: Flight;
   readonly #touches: Touches;
   readonly #complementarity = new Complementarity();
   readonly #velocity: { x: Float64Array; y: Float64Array } = { x: new Float64Array(0), y: new Float64Array(0) };
   readonly #acceleration: { x: Float64Array; y: Float64Array } = { x: new Float64Array(0), y: new Float64Array(0) };
-  #impulses = new Float64Array(0);
+  /** By touch. */
+  #impulses: Float64Array = new Float64Array(0);
+  #bias: Float64Array = new Float64Array(0);
 
   constructor(flight: Flight, touches: Touches) {
     this.#flight = flight;
@@ -40,13 +45,20 @@ export class Rests {
 
   /**
    * The closing speed up to which a touch is one at rest: what a step's acceleration builds. Where one of the two is held up
-   * already it is that of each on its own towards the other, else that of one against the other: what falls together does not rest.
+   * already it is that of each on its own towards the other, else that of one against the other: what falls together does not
+   * rest. From its `FEW`th impact in a step on, it is that of a particle in whatever direction: in a pile one pushes the other
+   * sideways too, to and fro without end.
    */
-  restingSpeed(i: number, j: number, nx: number, ny: number): number {
-    const { freeX, freeY, duration } = this.#flight;
-    const ofFirst = -(freeX[i] * nx + freeY[i] * ny);
+  restingSpeed(c: number): number {
+    const { a, b, normalX, normalY } = this.#touches;
+    const { freeX, freeY, impacts, duration } = this.#flight;
+    const i = a[c];
+    const j = b[c];
+    const ofFirst = -(freeX[i] * normalX[c] + freeY[i] * normalY[c]);
+    if (impacts[i] > FEW) return Math.sqrt(freeX[i] * freeX[i] + freeY[i] * freeY[i]) * duration;
     if (j === SCENERY) return Math.max(0, ofFirst) * duration;
-    const ofSecond = freeX[j] * nx + freeY[j] * ny;
+    if (impacts[j] > FEW) return Math.sqrt(freeX[j] * freeX[j] + freeY[j] * freeY[j]) * duration;
+    const ofSecond = freeX[j] * normalX[c] + freeY[j] * normalY[c];
     if (!this.#isHeld(i) && !this.#isHeld(j)) return Math.max(0, ofFirst + ofSecond) * duration;
     return (Math.max(0, ofFirst) + Math.max(0, ofSecond)) * duration;
   }
@@ -59,36 +71,31 @@ export class Rests {
     return b[c] === SCENERY ? alone : alone - (vx[b[c]] * normalX[c] + vy[b[c]] * normalY[c]);
   }
 
-  /** At the start of a step: stills and supports all touches that are marked as resting. */
+  /** At the start of a step: stills and supports all touches that rest. */
   settleAll(): void {
-    this.cluster.clear(this.#flight.particles.capacity);
-    this.cluster.addAll(this.#touches);
-    this.#still();
+    const { count } = this.#touches;
+    const { cluster } = this;
+    cluster.clear(this.#flight.particles.capacity, count);
+    for (let c = 0; c < count; c++) if (this.#isSlow(c)) cluster.addTouch(c);
+    this.#still(0);
     this.#support(0);
   }
 
   /** A touch comes to rest: it is stilled and supported together with all that rests there. */
   settle(c: number, now: number): void {
-    const touches = this.#touches;
-    const { a, b, resting } = touches;
-    resting[c] = 1;
+    const { a, b } = this.#touches;
     this.#flight.rests[a[c]]++;
     if (b[c] !== SCENERY) this.#flight.rests[b[c]]++;
-    this.#collect(a[c], b[c], now);
-    this.#releaseClosing(c, now);
-    this.#still();
-    this.#releaseOpening(now);
+    this.#collect(a[c], b[c], c, now);
+    this.#still(now);
     this.#support(now);
     this.cluster.keepTurned(this.#flight);
   }
 
-  /** After an impact of two: what does not rest on them any more is let go, and the rest supported anew. */
+  /** After an impact of two: what rests on them is supported anew. */
   relieve(i: number, j: number, now: number): void {
-    this.#collect(i, j, now);
-    if (this.cluster.touchCount > 0) {
-      this.#releaseOpening(now);
-      this.#support(now);
-    }
+    this.#collect(i, j, -1, now);
+    this.#support(now);
     this.cluster.keepTurned(this.#flight);
   }
 
@@ -98,88 +105,82 @@ export class Rests {
     return false;
   }
 
-  /** Gathers what hangs on two particles and brings it to one time. Reads positions. Writes normals. */
-  #collect(i: number, j: number, now: number): void {
+  /** Whether a touch closes no faster than one at rest. */
+  #isSlow(c: number): boolean {
+    const closing = -this.separatingVelocity(c);
+    return closing <= CLOSING_EPSILON || closing <= this.restingSpeed(c);
+  }
+
+  /** Gathers what hangs on two particles and brings it to one time. One touch belongs to it however fast it closes. */
+  #collect(i: number, j: number, always: number, now: number): void {
     const { cluster } = this;
     const flight = this.#flight;
-    const { inverseMass, capacity, x, y } = flight.particles;
-    cluster.clear(capacity);
-    cluster.add(this.#touches, inverseMass, i);
-    if (j !== SCENERY) cluster.add(this.#touches, inverseMass, j);
-    for (let s = 0; s < cluster.slotCount; s++) flight.advance(cluster.slots[s], now);
-    cluster.note(flight);
-    const { a, b, normalX, normalY } = this.#touches;
-    for (let k = 0; k < cluster.touchCount; k++) {
-      const c = cluster.touches[k];
-      if (b[c] === SCENERY) continue;
-      if (inverseMass[a[c]] === 0) flight.advance(a[c], now);
-      if (inverseMass[b[c]] === 0) flight.advance(b[c], now);
-      const dx = x[a[c]] - x[b[c]];
-      const dy = y[a[c]] - y[b[c]];
-      const distance = Math.sqrt(dx * dx + dy * dy);
-      if (distance === 0) continue;
-      normalX[c] = dx / distance;
-      normalY[c] = dy / distance;
+    const touches = this.#touches;
+    const { capacity, inverseMass } = flight.particles;
+    cluster.clear(capacity, touches.count);
+    if (inverseMass[i] !== 0) cluster.addSlot(i, flight);
+    if (j !== SCENERY && inverseMass[j] !== 0) cluster.addSlot(j, flight);
+    for (let s = 0; s < cluster.slotCount; s++) {
+      const slot = cluster.slots[s];
+      for (let c = touches.firstOf(slot); c >= 0; c = touches.nextOf(slot, c)) {
+        if (!cluster.mark(c)) continue;
+        const other = touches.a[c] === slot ? touches.b[c] : touches.a[c];
+        if (other !== SCENERY) flight.advance(other, now);
+        touches.measure(c, flight.particles);
+        const rests = touches.isNear(c, flight.particles) && (c === always || this.#isSlow(c));
+        if (!rests && touches.force[c] === 0) continue;
+        if (other !== SCENERY && inverseMass[other] !== 0) cluster.addSlot(other, flight);
+        if (rests) cluster.addTouch(c);
+        else this.#release(c, now);
+      }
     }
   }
 
-  /** Makes all closing velocities 0. Writes vx, vy and the impulses. */
-  #still(): void {
+  /** Takes off the closing velocities what would close more than the gap by the end. Writes vx, vy, impulses. */
+  #still(now: number): void {
     const { touches, touchCount } = this.cluster;
-    const { inverseMass } = this.#flight.particles;
-    if (this.#impulses.length < this.#touches.a.length) this.#impulses = new Float64Array(this.#touches.a.length);
-    const impulses = this.#impulses;
-    for (let k = 0; k < touchCount; k++) impulses[touches[k]] = 0;
-    this.#solve(this.#velocity, impulses, inverseMass, STILL_VELOCITY);
-    for (let k = 0; k < touchCount; k++) this.#touches.impulse[touches[k]] += impulses[touches[k]];
+    const { gap, impulse } = this.#touches;
+    const left = this.#flight.duration - now;
+    if (this.#impulses.length < impulse.length) {
+      this.#impulses = new Float64Array(impulse.length);
+      this.#bias = new Float64Array(impulse.length);
+    }
+    for (let k = 0; k < touchCount; k++) {
+      const c = touches[k];
+      this.#impulses[c] = 0;
+      this.#bias[c] = Math.max(0, gap[c]) / left;
+    }
+    this.#solve(this.#velocity, this.#impulses, STILL_VELOCITY);
+    for (let k = 0; k < touchCount; k++) impulse[touches[k]] += this.#impulses[touches[k]];
   }
 
-  /** Makes all closing accelerations 0 from now on. Writes ax, ay, forces and impulses. */
+  /**
+   * Supports what would close the gap by the end: gap + v·t + a·t²/2 ≥ 0 at the time left, t.
+   * Writes ax, ay, forces and impulses.
+   */
   #support(now: number): void {
     const { touches, touchCount } = this.cluster;
-    const { force, impulse } = this.#touches;
-    const { inverseMass } = this.#flight.particles;
+    const { gap, force, impulse } = this.#touches;
     const left = this.#flight.duration - now;
-    for (let k = 0; k < touchCount; k++) impulse[touches[k]] -= force[touches[k]] * left;
-    this.#solve(this.#acceleration, force, inverseMass, STILL_ACCELERATION);
+    if (this.#bias.length < force.length) this.#bias = new Float64Array(force.length);
+    for (let k = 0; k < touchCount; k++) {
+      const c = touches[k];
+      impulse[c] -= force[c] * left;
+      this.#bias[c] = Math.max(0, (2 * (Math.max(0, gap[c]) + this.separatingVelocity(c) * left)) / (left * left));
+    }
+    this.#solve(this.#acceleration, force, STILL_ACCELERATION);
     for (let k = 0; k < touchCount; k++) impulse[touches[k]] += force[touches[k]] * left;
   }
 
-  #solve(
-    field: { x: Float64Array; y: Float64Array },
-    pushes: Float64Array,
-    inverseMass: Float64Array,
-    floor: number,
-  ): void {
+  #solve(field: { x: Float64Array; y: Float64Array }, pushes: Float64Array, floor: number): void {
     const { touches, touchCount } = this.cluster;
-    this.#complementarity.solve(this.#touches, touches, touchCount, inverseMass, field, pushes, undefined, floor);
+    const { inverseMass } = this.#flight.particles;
+    this.#complementarity.solve(this.#touches, touches, touchCount, inverseMass, field, pushes, this.#bias, floor);
   }
 
-  /** Lets go what is hit too hard to rest, but for one touch: it will be an impact. */
-  #releaseClosing(but: number, now: number): void {
-    const { a, b, normalX, normalY } = this.#touches;
-    for (let k = 0; k < this.cluster.touchCount; k++) {
-      const c = this.cluster.touches[k];
-      const closing = -this.separatingVelocity(c);
-      if (c === but || closing <= CLOSING_EPSILON) continue;
-      if (closing > this.restingSpeed(a[c], b[c], normalX[c], normalY[c])) this.#release(c, now);
-    }
-    this.cluster.dropReleased(this.#touches);
-  }
-
-  /** Lets go what separates. */
-  #releaseOpening(now: number): void {
-    for (let k = 0; k < this.cluster.touchCount; k++) {
-      const c = this.cluster.touches[k];
-      if (this.separatingVelocity(c) > CLOSING_EPSILON) this.#release(c, now);
-    }
-    this.cluster.dropReleased(this.#touches);
-  }
-
+  /** Takes away the support by a touch that rests no more. */
   #release(c: number, now: number): void {
-    const { resting, force, impulse } = this.#touches;
-    resting[c] = 0;
-    if (force[c] === 0) return;
+    const { force, impulse } = this.#touches;
     impulse[c] -= force[c] * (this.#flight.duration - now);
     push(this.#touches, c, this.#flight.particles.inverseMass, this.#acceleration, force, -force[c]);
     force[c] = 0;

@@ -1,9 +1,11 @@
 import { SCENERY } from '../../contacts/contact-buffer.ts';
+import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 import { SAME_PLACE } from './places.ts';
+import { nearOf } from './slack.ts';
 
 const FIRST_CAPACITY = 64;
 
-/** What touched in a step, each pair and each place of scenery once, in the order in which it did so first. */
+/** What touches or nearly does in a step: each pair, each place of scenery once, in the order in which it was found. */
 export class Touches {
   count = 0;
   /** Slots of the two; `b` is `SCENERY` for a static shape. */
@@ -16,12 +18,12 @@ export class Touches {
   normalY: Float64Array = new Float64Array(FIRST_CAPACITY);
   /** Sum of the impulses so far, as if what supports now did so to the end of the step. Unit: N·s. */
   impulse: Float64Array = new Float64Array(FIRST_CAPACITY);
-  /** 1 while the two rest on each other. */
-  resting: Uint8Array = new Uint8Array(FIRST_CAPACITY);
+  /** How far the two were apart when that was last looked at. Unit: m. */
+  gap: Float64Array = new Float64Array(FIRST_CAPACITY);
   /** While they rest, the force between them. Unit: N. */
   force: Float64Array = new Float64Array(FIRST_CAPACITY);
-  /** Mark of whoever walks over touches. */
-  mark: Int32Array = new Int32Array(FIRST_CAPACITY);
+  /** Of a place of scenery: the gap is this plus the product of normal and position. Unit: m. */
+  #offset: Float64Array = new Float64Array(FIRST_CAPACITY);
   /** The touches of each particle, as a list: `first` by slot, then `next` by touch and side; -1 ends it. */
   #first = new Int32Array(0);
   #next: Int32Array = new Int32Array(FIRST_CAPACITY * 2);
@@ -42,21 +44,58 @@ export class Touches {
     return this.#next[c * 2 + (this.a[c] === slot ? 0 : 1)];
   }
 
-  /** The touch of a pair or a place, now with this normal; a new one where there is none. */
-  add(a: number, b: number, source: number, normalX: number, normalY: number): number {
+  /**
+   * The touch of two discs as they are now; a new one where there is none.
+   * Reads x, y, radius. Writes the normal and the gap.
+   */
+  addDiscs(a: number, b: number, source: number, particles: ParticleArrays): number {
     let c = this.firstOf(a);
-    while (c >= 0 && !this.#is(c, b, source, normalX, normalY)) c = this.nextOf(a, c);
+    while (c >= 0 && !(this.a[c] === b || this.b[c] === b)) c = this.nextOf(a, c);
     if (c < 0) c = this.#append(a, b, source);
-    const sign = this.a[c] === a ? 1 : -1;
-    this.normalX[c] = normalX * sign;
-    this.normalY[c] = normalY * sign;
+    this.measure(c, particles);
     return c;
   }
 
-  #is(c: number, b: number, source: number, normalX: number, normalY: number): boolean {
-    if (this.source[c] !== source) return false;
-    if (b === SCENERY) return normalX * this.normalX[c] + normalY * this.normalY[c] > SAME_PLACE;
-    return this.a[c] === b || this.b[c] === b;
+  /** The touch of a particle and a place of a shape; a new one where there is none. */
+  addPlace(a: number, source: number, { x, y }: ParticleArrays, gap: number, nx: number, ny: number): number {
+    let c = this.firstOf(a);
+    while (c >= 0 && !this.#isPlace(c, source, nx, ny)) c = this.nextOf(a, c);
+    if (c < 0) c = this.#append(a, SCENERY, source);
+    this.normalX[c] = nx;
+    this.normalY[c] = ny;
+    this.gap[c] = gap;
+    this.#offset[c] = gap - (x[a] * nx + y[a] * ny);
+    return c;
+  }
+
+  /**
+   * Finds the gap, and the normal between two discs, as they are now; of scenery as if it were straight.
+   * Reads x, y, radius. Writes the normal and the gap.
+   */
+  measure(c: number, { x, y, radius }: ParticleArrays): void {
+    const i = this.a[c];
+    const j = this.b[c];
+    if (j === SCENERY) {
+      this.gap[c] = this.#offset[c] + (x[i] * this.normalX[c] + y[i] * this.normalY[c]);
+      return;
+    }
+    const dx = x[i] - x[j];
+    const dy = y[i] - y[j];
+    const distance = Math.sqrt(dx * dx + dy * dy);
+    this.normalX[c] = distance === 0 ? 0 : dx / distance; // concentric discs define no direction: any will do
+    this.normalY[c] = distance === 0 ? 1 : dy / distance;
+    this.gap[c] = distance - radius[i] - radius[j];
+  }
+
+  /** Whether the two are so near that they may rest on each other within the step. */
+  isNear(c: number, { radius }: ParticleArrays): boolean {
+    const ofFirst = radius[this.a[c]];
+    const smaller = this.b[c] === SCENERY ? ofFirst : Math.min(ofFirst, radius[this.b[c]]);
+    return this.gap[c] <= nearOf(smaller);
+  }
+
+  #isPlace(c: number, source: number, normalX: number, normalY: number): boolean {
+    return this.source[c] === source && normalX * this.normalX[c] + normalY * this.normalY[c] > SAME_PLACE;
   }
 
   #append(a: number, b: number, source: number): number {
@@ -66,9 +105,7 @@ export class Touches {
     this.b[c] = b;
     this.source[c] = source;
     this.impulse[c] = 0;
-    this.resting[c] = 0;
     this.force[c] = 0;
-    this.mark[c] = 0;
     this.#next[c * 2] = this.#first[a];
     this.#first[a] = c;
     if (b !== SCENERY) {
@@ -85,9 +122,9 @@ export class Touches {
     this.normalX = grown(this.normalX, new Float64Array(capacity));
     this.normalY = grown(this.normalY, new Float64Array(capacity));
     this.impulse = grown(this.impulse, new Float64Array(capacity));
-    this.resting = grown(this.resting, new Uint8Array(capacity));
+    this.gap = grown(this.gap, new Float64Array(capacity));
     this.force = grown(this.force, new Float64Array(capacity));
-    this.mark = grown(this.mark, new Int32Array(capacity));
+    this.#offset = grown(this.#offset, new Float64Array(capacity));
     this.#next = grown(this.#next, new Int32Array(capacity * 2));
   }
 }
