@@ -4,7 +4,7 @@
  * the lower to the upper quartile, in nanoseconds a particle and step, and the ratio of the medians.
  */
 import { Drag, forEachParticle, World } from '@mass/core';
-import { makeBodies, stepBodies } from './object-loop.ts';
+import { makeBodies, stepBodies, stepDampedBodies } from './object-loop.ts';
 
 const DT = 1 / 60;
 const K1 = 0.1;
@@ -28,6 +28,7 @@ function makeWorld(count: number): World {
 
 function contenders(count: number): Contender[] {
   const bodies = makeBodies(count);
+  const dampedBodies = makeBodies(count);
   const builtIn = makeWorld(count);
   builtIn.addForce(new Drag({ k1: K1 }));
   const own = makeWorld(count);
@@ -44,6 +45,12 @@ function contenders(count: number): Contender[] {
   });
   return [
     { name: 'objects', step: () => stepBodies(bodies, GRAVITY, K1, DT), result: () => bodies[count - 1].y, times: [] },
+    {
+      name: 'objects, damped and accelerated',
+      step: () => stepDampedBodies(dampedBodies, GRAVITY, K1, DT),
+      result: () => dampedBodies[count - 1].y,
+      times: [],
+    },
     { name: 'mass', step: () => builtIn.step(DT), result: () => builtIn.particles.y[count - 1], times: [] },
     {
       name: 'mass, own force over the arrays',

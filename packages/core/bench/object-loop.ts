@@ -31,12 +31,28 @@ export function makeBodies(count: number): Body[] {
   }));
 }
 
-/** Gravity, drag in proportion to the speed, previous positions, semi-implicit Euler with damping, a sweep for NaN. */
+/** Gravity, drag in proportion to the speed, previous positions, semi-implicit Euler, a sweep for NaN: no more than that. */
 export function stepBodies(bodies: Body[], gravity: number, k1: number, dt: number): void {
+  for (const body of bodies) {
+    body.fx -= k1 * body.vx;
+    body.fy -= k1 * body.vy;
+    body.previousX = body.x;
+    body.previousY = body.y;
+    body.vx += (body.fx / body.mass) * dt;
+    body.vy += (gravity + body.fy / body.mass) * dt;
+    body.x += body.vx * dt;
+    body.y += body.vy * dt;
+    body.fx = 0;
+    body.fy = 0;
+    if (!Number.isFinite(body.x + body.y)) throw new RangeError('a body is not finite');
+  }
+}
+
+/** The same, and a constant acceleration and a damping of each body's own, as a particle of Mass may have them. */
+export function stepDampedBodies(bodies: Body[], gravity: number, k1: number, dt: number): void {
   let lastDamping = 1;
   let kept = 1;
   for (const body of bodies) {
-    body.fy += gravity * body.mass;
     body.fx -= k1 * body.vx;
     body.fy -= k1 * body.vy;
     body.previousX = body.x;
@@ -46,7 +62,7 @@ export function stepBodies(bodies: Body[], gravity: number, k1: number, dt: numb
       kept = lastDamping ** dt;
     }
     body.vx = (body.vx + (body.ax + body.fx / body.mass) * dt) * kept;
-    body.vy = (body.vy + (body.ay + body.fy / body.mass) * dt) * kept;
+    body.vy = (body.vy + (gravity + body.ay + body.fy / body.mass) * dt) * kept;
     body.x += body.vx * dt;
     body.y += body.vy * dt;
     body.fx = 0;

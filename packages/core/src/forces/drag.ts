@@ -36,10 +36,8 @@ export class Drag implements ForceGenerator {
     if (k2 === 0) {
       for (let t = 0; t < count; t++) {
         const i = slots[t];
-        const sumX = fx[i] - k1 * vx[i];
-        const sumY = fy[i] - k1 * vy[i];
-        fx[i] = sumX;
-        fy[i] = sumY;
+        fx[i] -= k1 * vx[i];
+        fy[i] -= k1 * vy[i];
       }
       return;
     }
