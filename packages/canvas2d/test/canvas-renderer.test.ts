@@ -1,4 +1,4 @@
-import { type ParticleOptions, World } from '@mass/core';
+import { Buoyancy, box, HalfPlane, type ParticleOptions, rod, World } from '@mass/core';
 import { Camera, type Style } from '@mass/core/view';
 import { describe, expect, it } from 'vitest';
 import { CanvasRenderer, type CanvasTarget } from '../src/index.ts';
@@ -106,6 +106,64 @@ describe('CanvasRenderer', () => {
     world.addParticle({ x: 0, y: 0 });
     expect(named(render(), 'arc').length).toBe(2);
     expect(drawn.length).toBe(1);
+  });
+
+  it('draws the ground, then links, then discs, then a drawing of the game, then arrows', () => {
+    const style: Style = {
+      particle: { fill: '#000004' },
+      shapes: { fill: '#000002', stroke: null, hatch: null },
+      liquids: { fill: '#000001', surfaceWidth: 0 },
+      links: { rod: { color: '#000003' } },
+      velocities: { color: '#000006' },
+      pins: null,
+    };
+    const { world, renderer, render, handles } = scene(style, { x: 0, y: 0, vx: 20 }, { x: 3, y: 0 }, { x: 5, y: 0 });
+    world.addForce(new Buoyancy(), []);
+    world.addShape(new HalfPlane());
+    world.addLink(rod(handles[0], handles[1]));
+    renderer.bind(handles[2], (context) => {
+      context.fillStyle = '#000005';
+    });
+    const painted = render().filter(([name]) => name === 'fillStyle=' || name === 'strokeStyle=');
+    expect([...new Set(painted.map(([, color]) => color))]).toEqual([1, 2, 3, 4, 5, 6].map((n) => `#00000${n}`));
+  });
+
+  it('strokes lines of one look together', () => {
+    const { world, render, handles } = scene({}, ...Array.from({ length: 100 }, (_, n) => ({ x: n / 10 - 5, y: 0 })));
+    for (let n = 1; n < 100; n++) world.addLink(rod(handles[n - 1], handles[n]));
+    const calls = render();
+    expect(named(calls, 'stroke').length).toBe(1);
+    expect(named(calls, 'lineTo').length).toBe(99);
+  });
+
+  it('strokes translucent lines one by one, so that both show where they cross', () => {
+    const style: Style = { links: { rod: { alpha: 0.5 } } };
+    const { world, render, handles } = scene(style, { x: 0, y: 0 }, { x: 1, y: 0 }, { x: 0, y: 1 });
+    world.addLink(rod(handles[0], handles[1]));
+    world.addLink(rod(handles[0], handles[2]));
+    expect(named(render(), 'stroke').length).toBe(2);
+  });
+
+  it("calls a game's own drawing in place of a body, with where it is and how it is turned", () => {
+    const { world, renderer, render } = scene({});
+    const body = world.addBody(box({ x: 2, y: 1, width: 2, height: 1, angle: 0.5 }));
+    expect(named(render(), 'fill').length).toBe(1);
+    const drawn: unknown[][] = [];
+    renderer.bind(body, (_, ...values) => void drawn.push(values));
+    expect(named(render(), 'fill').length).toBe(0);
+    expect(drawn[0].slice(0, 2).map(Number)).toEqual([120, 40]);
+    expect(drawn[0][2]).toBeCloseTo(-0.5, 12);
+    expect(drawn[0][3]).toBe(body);
+    renderer.unbind(body);
+    expect(named(render(), 'fill').length).toBe(1);
+    renderer.bind(body, (_, ...values) => void drawn.push(values));
+    body.remove();
+    render();
+    expect(drawn.length).toBe(1);
+    expect(() => renderer.bind(body, () => {})).toThrow(
+      'CanvasRenderer.bind: the body must be in its world; it was removed.',
+    );
+    expect(() => renderer.bind(null as never, () => {})).toThrow('must be a particle or a body; got null');
   });
 
   it('takes a new style with the next frame', () => {

@@ -1,6 +1,6 @@
 // Runs in the page: the same world on both renderers, and measurements of the pixels. The spec beside it bundles this file.
 import { CanvasRenderer } from '@mass/canvas2d';
-import { World } from '@mass/core';
+import { box, rod, World } from '@mass/core';
 import { Camera, type Style } from '@mass/core/view';
 import { Application, Graphics } from 'pixi.js';
 import { PixiRenderer } from '../src/index.ts';
@@ -271,6 +271,28 @@ export async function drawCalls(count: number, decorated: boolean): Promise<numb
   return calls;
 }
 
+/** Draw calls of one frame of so many links, and of one of everything. */
+export async function drawCallsOfLinks(count: number): Promise<number[]> {
+  const app = await makeApplication(1);
+  const world = new World();
+  const particles = Array.from({ length: count + 1 }, (_, i) =>
+    world.addParticle({ x: (i % 100) / 10 - 5, y: i / 2000 }),
+  );
+  for (let i = 0; i < count; i++) world.addLink(rod(particles[i], particles[i + 1]));
+  const calls: number[] = [];
+  const renderer = new PixiRenderer(app.stage, { renderer: app.renderer });
+  for (const each of [world, everything()]) {
+    each.step(1e-3);
+    renderer.style = each === world ? {} : everyStyle(false, true);
+    renderer.render(each, camera(), 1);
+    draws = 0;
+    app.render();
+    calls.push(draws);
+  }
+  app.destroy(true);
+  return calls;
+}
+
 /** What is left after a renderer was made, used and destroyed, several times over. */
 export async function leftovers(times: number) {
   const app = await makeApplication(1);
@@ -281,9 +303,18 @@ export async function leftovers(times: number) {
     const world = scene();
     const renderer = new PixiRenderer(app.stage, { style, renderer: app.renderer });
     const sprite = new Graphics().rect(0, 0, 4, 4).fill('#000000');
+    const all = everything();
     renderer.bind(world.particleAt(0), sprite);
     for (let i = 0; i < 30; i++) {
       world.step(1 / 60);
+      if (i % 10 === 5) {
+        renderer.style = everyStyle(false, true);
+        all.step(1 / 60);
+        renderer.render(all, camera(), 1);
+        app.render();
+        renderer.style = style;
+        renderer.bind(world.particleAt(0), sprite);
+      }
       if (i === 10) for (let more = 0; more < 500; more++) world.addParticle({ x: 0, y: 0, radius: more / 500 });
       renderer.render(world, camera(), 1);
       app.render();
@@ -321,11 +352,21 @@ export async function follow() {
   const sprite = new Graphics().rect(-15, -15, 30, 30).fill('#ff0000');
   sprite.scale.set(1.5);
   onPixi.bind(particle, sprite);
+  const body = world.addBody(box({ x: 1, y: 2, width: 1, height: 0.5, angularVelocity: 3 }));
+  const crate = new Graphics().rect(-25, -12, 50, 25).fill('#00ff00');
+  const turned: number[] = [];
+  onPixi.bind(body, crate);
+  onCanvas.bind(body, (_, x, y, angle) => turned.splice(0, 3, x, y, angle));
   const apart: number[] = [];
   for (let i = 0; i < 30; i++) {
     world.step(1 / 60);
     onCanvas.render(world, view, 1);
     onPixi.render(world, view, 1);
+    apart.push(Math.hypot(turned[0] - crate.x, turned[1] - crate.y), Math.abs(turned[2] - crate.rotation));
+    apart.push(
+      Math.hypot(crate.x - view.toScreenX(body.x), crate.y - view.toScreenY(body.y)),
+      Math.abs(crate.rotation + body.angle),
+    );
     const x = view.toScreenX(particle.x);
     const y = view.toScreenY(particle.y);
     apart.push(Math.hypot(drawn[0] - x, drawn[1] - y), Math.hypot(sprite.x - x, sprite.y - y));
@@ -334,12 +375,17 @@ export async function follow() {
   const { scale, parent } = sprite;
   const held = { scale: scale.x, parented: parent !== null };
   particle.remove();
+  body.remove();
   world.addParticle({ x: 0, y: 0 });
   drawn.length = 0;
   onCanvas.render(world, view, 1);
   onPixi.render(world, view, 1);
   app.render();
-  return { apart: Math.max(...apart), ...held, afterwards: { drawn: drawn.length, parented: sprite.parent !== null } };
+  return {
+    apart: Math.max(...apart),
+    ...held,
+    afterwards: { drawn: drawn.length, parented: sprite.parent !== null || crate.parent !== null },
+  };
 }
 
 /** Draws one of everything with both renderers. */

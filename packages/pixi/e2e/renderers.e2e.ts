@@ -68,6 +68,12 @@ test('10 000 particles are one draw call, outlines and trails included', async (
   expect(await page.evaluate(() => fixture.drawCalls(10_000, true))).toEqual([1, 1, 1, 1, 1]);
 });
 
+test('5 000 links are one draw call more; one of everything is five', async ({ page }) => {
+  await open(page);
+  await page.evaluate(() => fixture.countWebGL());
+  expect(await page.evaluate(() => fixture.drawCallsOfLinks(5000))).toEqual([2, 5]);
+});
+
 test('destroy leaves the container as it was, and nothing on the graphics card', async ({ page }) => {
   await open(page);
   await page.evaluate(() => fixture.countWebGL());

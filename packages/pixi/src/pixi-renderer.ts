@@ -30,7 +30,7 @@ export interface PixiRendererOptions {
 /**
  * Draws a world into a container of the game's own PixiJS application. `render` puts everything in place; the pixels come
  * when the application renders, by its ticker or by `app.render()`. One unit of the container is one CSS px. All discs,
- * outlines and trails together are one draw call.
+ * outlines and trails together are one draw call; the ground, what lies under the discs, and arrows are one each.
  */
 export class PixiRenderer implements Renderer<Container> {
   readonly #root = new Container({ label: 'mass', eventMode: 'passive' });

@@ -93,7 +93,7 @@ function checkCord(where: string, style: BungeeStyle): void {
 
 function checkSprings(where: string, style: SpringStyle): void {
   checkCord(where, style);
-  requireInteger(where, 'coils', style.coils, 1, 100);
+  requireInteger(where, 'coils', style.coils, 0, 100);
   requireNonNegative(where, 'diameter', style.diameter, 'pixels');
 }
 

@@ -10,7 +10,7 @@ const closest = 2.5;
 
 /** How many coils fit: as many as wanted, unless the wire would have no room beside itself at rest. */
 export function coilCount(wanted: number, rest: number, width: number): number {
-  return rest > 0 ? Math.max(1, Math.min(wanted, Math.floor(rest / (closest * width)))) : wanted;
+  return rest > 0 ? Math.min(wanted, Math.max(1, Math.floor(rest / (closest * width)))) : wanted;
 }
 
 /** How far coils swing to each side: less as the spring is stretched, so that its wire seems to stay as long. */
@@ -20,7 +20,7 @@ export function coilRadius(diameter: number, rest: number, length: number): numb
   return atRest * Math.min(widest, Math.max(narrowest, stretch));
 }
 
-/** Adds a spring from one place to another, all in CSS px: straight leads, and coils between. */
+/** Adds a spring from one place to another, all in CSS px: straight leads, and coils between; without coils it is straight. */
 export function addCoil(
   list: PathList,
   x0: number,
@@ -38,10 +38,10 @@ export function addCoil(
   const coils = coilCount(wanted, rest, paint.width);
   const radius = coilRadius(diameter, rest, length);
   list.add(x0, y0);
-  if (length > 0 && radius > 0.75) {
+  if (length > 0 && coils > 0 && radius > 0.75) {
     const nx = -dy / length;
     const ny = dx / length;
-    const steps = coils * (radius > 3 ? 12 : 4);
+    const steps = coils * (radius > 6 ? 12 : radius > 3 ? 8 : 4);
     for (let k = 0; k <= steps; k++) {
       const t = lead + ((1 - 2 * lead) * k) / steps;
       const across = radius * Math.sin((2 * Math.PI * coils * k) / steps);

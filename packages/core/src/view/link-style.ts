@@ -26,7 +26,7 @@ export interface SpringStyle {
   readonly width: number;
   /** Opacity, 0 to 1. @default 1 */
   readonly alpha: number;
-  /** How many coils, 1 to 100. @default 9 */
+  /** How many coils, 0 to 100; without any it is a straight line, the cheapest where there are thousands. @default 9 */
   readonly coils: number;
   /** Width of the coils at rest; less where the spring is short on the screen. Unit: CSS px. @default 16 */
   readonly diameter: number;
