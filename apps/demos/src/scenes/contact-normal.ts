@@ -1,6 +1,6 @@
 import { HalfPlane, type Particle, spring, World } from '@mass/core';
 import { wear } from './outline.ts';
-import type { Beside, Guide, Point, Scene } from './scene.ts';
+import type { Guide, Point, Scene } from './scene.ts';
 
 /** Length of the hooks from their particles, less the thickness of one: apart by this, they hold. Unit: m. */
 const reach = 2.9;

@@ -3,12 +3,20 @@ import { buoyancyLiquids } from './buoyancy-liquids.ts';
 import { buoyancyMasses } from './buoyancy-masses.ts';
 import { buoyancyVolumes } from './buoyancy-volumes.ts';
 import { buoyancyWaves } from './buoyancy-waves.ts';
+import { contactNormal } from './contact-normal.ts';
+import { contactOrder } from './contact-order.ts';
 import { fireworks } from './fireworks.ts';
 import { forceGenerators } from './force-generators.ts';
+import { glancingMasses } from './glancing-masses.ts';
+import { interpenetration } from './interpenetration.ts';
+import { masses } from './masses.ts';
 import { projectiles } from './projectiles.ts';
+import { restingContact } from './resting-contact.ts';
+import { restitution } from './restitution.ts';
 import type { Scene } from './scene.ts';
 import { springsAmplitude } from './springs-amplitude.ts';
 import { springsPeriod } from './springs-period.ts';
+import { sunkBox } from './sunk-box.ts';
 
 /** Every scene, in the order of the thesis. */
 export const scenes: readonly Scene[] = [
@@ -22,6 +30,14 @@ export const scenes: readonly Scene[] = [
   buoyancyMasses,
   buoyancyLiquids,
   buoyancyWaves,
+  contactNormal,
+  interpenetration,
+  sunkBox,
+  restingContact,
+  contactOrder,
+  restitution,
+  masses,
+  glancingMasses,
 ];
 
 /** The scene of an id; an error says which there are. */

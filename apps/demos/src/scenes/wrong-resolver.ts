@@ -68,7 +68,7 @@ export function wrongResolver({ leastSevereFirst = false, restless = false, move
   };
 }
 
-/** Changes one contact after the other, those whose u closes by more than they are apart, until none is left. */
+/** Changes one contact after the other, those whose u closes by more than they are apart, each at most twice. */
 function resolve(
   { count, a, b, normalX, normalY }: ContactArrays,
   ux: Float64Array,
@@ -77,20 +77,23 @@ function resolve(
   leastFirst: boolean,
   change: (contact: number, value: number) => void,
 ): void {
-  const valueOf = (c: number): number =>
+  const numberOf = (c: number): number =>
     (ux[a[c]] - (b[c] < 0 ? 0 : ux[b[c]])) * normalX[c] +
     (uy[a[c]] - (b[c] < 0 ? 0 : uy[b[c]])) * normalY[c] -
     depth(c);
-  for (let n = 2 * count; n > 0; n--) {
+  const turns = new Uint8Array(count).fill(2); // what is done wrongly may never be done
+  for (;;) {
     let next = -1;
     let severity = 0;
     for (let c = 0; c < count; c++) {
-      const value = valueOf(c);
-      if (value >= -1e-9 || (next >= 0 && (leastFirst ? value <= severity : value >= severity))) continue;
+      const value = numberOf(c);
+      if (turns[c] === 0 || value >= -1e-9 || (next >= 0 && (leastFirst ? value <= severity : value >= severity)))
+        continue;
       next = c;
       severity = value;
     }
     if (next < 0) return;
+    turns[next]--;
     change(next, severity);
   }
 }
