@@ -1,11 +1,11 @@
 import { Buoyancy, bungee, Gravity, HalfPlane, inRegion, insideBox, type Particle, World } from '@mass/core';
-import { addFloat, Stillness } from './floats.ts';
+import { addFloat, Stillness, wood } from './floats.ts';
 import type { Guide, Scene, Setup } from './scene.ts';
 
 const g = 10;
 const depth = 0.17;
 const metresPerNewton = 0.0052;
-const cord = { short: 0.075, long: 0.18, speed: 0.05 };
+const cord = { short: 0.075, speed: 0.05 };
 
 /** An arrow for a force up or down, with its number. */
 function force(
@@ -18,9 +18,9 @@ function force(
 ): Guide[] {
   const to = { x, y: y + newtons * metresPerNewton };
   const text = `${name} ${Math.abs(newtons).toFixed(1)} N`;
-  const away = side === 'left' ? 0.006 : -0.006;
+  const away = side === 'left' ? 0.009 : -0.009;
   return [
-    { kind: 'arrow', from: { x, y }, to, tone },
+    { kind: 'arrow', from: { x, y }, to, tone, bold: true },
     { kind: 'label', x: x + away, y: (y + to.y) / 2, text, align: side, tone },
   ];
 }
@@ -40,21 +40,21 @@ export const buoyancyExplained: Scene<'mass' | 'volume' | 'density'> = {
   },
   show: { minX: -0.19, maxX: 0.19, minY: -0.19, maxY: 0.095 },
   draggable: true,
-  style: ({ series }) => ({
-    particle: { fill: series[3] },
+  style: (palette) => ({
+    particle: { fill: wood(palette) },
     bungees: { width: 2.5 },
   }),
 
   build({ mass, volume, density }) {
     const world = new World();
-    const water = new Buoyancy({ level: 0, density, g, k1: 24 });
+    const water = new Buoyancy({ level: 0, density, g, k1: 14 });
     world.addForce(new Gravity({ x: 0, y: -g }));
     world.addForce(inRegion(water, insideBox({ minY: -depth })));
     world.addShape(new HalfPlane({ point: { x: 0, y: -depth } }));
     const side = Math.sqrt(volume / 1000);
     const block = { mass, width: side, height: side };
     const held = addFloat(world, [water], block, { x: -0.08, y: -0.082 });
-    const free = addFloat(world, [water], block, { x: 0.09, y: 0.045 });
+    const free = addFloat(world, [water], block, { x: 0.09, y: 0.06 });
     const line = world.addForce(
       bungee({ x: -0.08, y: -depth }, held, { stiffness: 400, restLength: cord.short, damping: 3 }),
     );
@@ -70,8 +70,9 @@ export const buoyancyExplained: Scene<'mass' | 'volume' | 'density'> = {
       const guides: Guide[] = [
         ...force('lift', x, y + side / 2, water.force(block), 'left', 'accent'),
         ...force('weight', x - side / 4, y - side / 2, -mass * g, 'right', 'ink'),
-        { kind: 'label', x: x + side / 2 + 0.006, y, text: `${share} % under`, align: 'left' },
+        { kind: 'label', x: x + side / 2 + 0.008, y: y + side * 0.3, text: `${share} % under`, align: 'left' },
       ];
+      if (block === held) guides.push({ kind: 'circle', x, y, radius: 0.0022, filled: true });
       const pull = block === held ? -line.force : 0;
       if (pull < -0.005) guides.push(...force('cord', x + side / 4, y - side / 2, pull, 'left', 'ink'));
       return guides;
@@ -79,11 +80,13 @@ export const buoyancyExplained: Scene<'mass' | 'volume' | 'density'> = {
 
     return {
       world,
-      actions: [{ key: 'c', label: 'Let go, or pull under', run: turn }],
+      actions: [{ key: 'c', label: 'Let go or pull', run: turn }],
       beforeStep(dt) {
         if (still.has(world, dt)) turn();
-        // The winch lets the cord go at once and winds it in slowly.
-        line.restLength = pulling ? Math.max(cord.short, line.restLength - cord.speed * dt) : cord.long;
+        // The winch winds the cord in slowly, and lets it run freely.
+        line.restLength = pulling
+          ? Math.max(cord.short, line.restLength - cord.speed * dt)
+          : Math.max(line.restLength, line.length);
       },
       guides: () => [...forcesOn(held), ...forcesOn(free)],
       readouts: () => [

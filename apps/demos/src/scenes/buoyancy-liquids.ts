@@ -1,5 +1,5 @@
 import { Box, Buoyancy, HalfPlane, inRegion, insideBox, type Particle, World } from '@mass/core';
-import { addFloat, outline, restingHeight } from './floats.ts';
+import { addFloat, outline, restingHeight, wood } from './floats.ts';
 import { PeriodMeter } from './period-meter.ts';
 import type { Guide, Scene } from './scene.ts';
 
@@ -31,15 +31,15 @@ export const buoyancyLiquids: Scene<'mass' | 'drag'> = {
   },
   show: { minX: -7.3, maxX: 7.3, minY: -depth - 0.5, maxY: 3.9 },
   draggable: true,
-  style: ({ series, dark }) => ({
-    particle: { fill: series[3] },
+  style: (palette) => ({
+    particle: { fill: wood(palette) },
     liquids: {
-      alpha: dark ? 0.3 : 0.26,
+      alpha: palette.dark ? 0.3 : 0.26,
       colorBy: {
         by: 'density',
         from: 740,
         to: 1400,
-        colors: [series[6], series[7], series[1], series[5], series[5], series[0]],
+        colors: [6, 7, 1, 5, 5, 0].map((n) => palette.series[n]),
       },
     },
   }),

@@ -1,5 +1,5 @@
 import { Buoyancy, HalfPlane, inRegion, insideBox, type Particle, World } from '@mass/core';
-import { addFloat, draught, outline, restingHeight, Stillness } from './floats.ts';
+import { addFloat, draught, outline, restingHeight, Stillness, wood } from './floats.ts';
 import type { Guide, Scene } from './scene.ts';
 
 const lanes = [1, 2, 3, 4, 5, 6, 7, 8];
@@ -23,7 +23,7 @@ export const buoyancyMasses: Scene<'step' | 'density' | 'drag'> = {
   },
   show: { minX: -7.9, maxX: 7.9, minY: -depth - 0.6, maxY: 3.4 },
   draggable: true,
-  style: ({ series }) => ({ particle: { fill: series[3] } }),
+  style: (palette) => ({ particle: { fill: wood(palette) } }),
 
   build({ step, density, drag }) {
     const world = new World({ gravity: { x: 0, y: -g } });

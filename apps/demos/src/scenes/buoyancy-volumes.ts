@@ -1,5 +1,5 @@
 import { Buoyancy, HalfPlane, inRegion, insideBox, type Particle, Random, World } from '@mass/core';
-import { addFloat, draught, type Float, outline, restingHeight, Stillness } from './floats.ts';
+import { addFloat, draught, type Float, outline, restingHeight, Stillness, wood } from './floats.ts';
 import { PeriodMeter } from './period-meter.ts';
 import type { Guide, Scene } from './scene.ts';
 
@@ -22,9 +22,9 @@ export const buoyancyVolumes: Scene<'mass' | 'density' | 'drag'> = {
     density: { label: 'Density of the liquid', unit: 'kg/m³', min: 600, max: 1400, step: 10, value: 1000 },
     drag: { label: 'Drag of the liquid', unit: 'N·s/m', min: 0, max: 2000, step: 50, value: 800 },
   },
-  show: { minX: -8.2, maxX: 8.2, minY: -depth - 0.6, maxY: 3.6 },
+  show: { minX: -8.5, maxX: 8.3, minY: -depth - 0.6, maxY: 3.6 },
   draggable: true,
-  style: ({ series }) => ({ particle: { fill: series[3] } }),
+  style: (palette) => ({ particle: { fill: wood(palette) } }),
 
   build({ mass, density, drag }, seed) {
     const world = new World({ gravity: { x: 0, y: -g } });
@@ -43,7 +43,7 @@ export const buoyancyVolumes: Scene<'mass' | 'density' | 'drag'> = {
         const float = { mass, width: side, height: side };
         return { float, particle: addFloat(world, [liquid], float, { x: xOf(lane), y: top }) };
       });
-      const unit: Guide = { kind: 'label', x: -8, y: 3.25, text: 'm³', align: 'left' };
+      const unit: Guide = { kind: 'label', x: -8.3, y: 3.25, text: 'm³', align: 'left' };
       const lanes = boxes.flatMap(({ float }, lane): Guide[] => [
         outline(xOf(lane), restingHeight(float, density, depth), float),
         { kind: 'label', x: xOf(lane), y: 3.25, text: `${(float.width * float.height).toFixed(2)}`, tone: 'ink' },

@@ -1,5 +1,5 @@
 import { Buoyancy, Springs, travellingWave, World } from '@mass/core';
-import { addFloat } from './floats.ts';
+import { addFloat, wood } from './floats.ts';
 import type { Scene } from './scene.ts';
 
 const count = 25;
@@ -38,10 +38,10 @@ export const buoyancyWaves: Scene<'length' | 'height' | 'stiffness'> = {
   show: { minX: -1.2, maxX: count + 0.2, minY: -4.2, maxY: 3.6 },
   step,
   draggable: true,
-  style: ({ series, accent, ink }) => ({
-    particle: { fill: series[3] },
-    groups: { 1: { fill: accent } },
-    springs: { color: ink, coils: 4, diameter: 16 },
+  style: (palette) => ({
+    particle: { fill: wood(palette) },
+    groups: { 1: { fill: palette.accent } },
+    springs: { color: '#7a5a2a', coils: 3, diameter: 10 },
     pins: null,
   }),
 

@@ -1,5 +1,11 @@
 import type { Buoyancy, Particle, World } from '@mass/core';
+import type { Palette } from './palette.ts';
 import type { Guide } from './scene.ts';
+
+/** The colour of what floats. */
+export function wood({ dark }: Palette): string {
+  return dark ? '#e0b264' : '#d9a24b';
+}
 
 /** A float: an upright box, 1 m thick, for which buoyancy is exact. Units: kg, m. */
 export interface Float {

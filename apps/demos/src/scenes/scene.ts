@@ -115,7 +115,7 @@ export type Guide =
       readonly points: ArrayLike<number>;
       readonly tone?: Tone;
       readonly dashed?: boolean;
-      /** Twice as wide: what the eye should follow. */
+      /** Wider: what the eye should follow. */
       readonly bold?: boolean;
       readonly opacity?: number;
     }
@@ -134,7 +134,7 @@ export type Guide =
       readonly from: Point;
       readonly to: Point;
       readonly tone?: Tone;
-      /** Twice as wide: what the eye should follow. */
+      /** Wider: what the eye should follow. */
       readonly bold?: boolean;
       readonly opacity?: number;
     }

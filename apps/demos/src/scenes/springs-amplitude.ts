@@ -23,7 +23,7 @@ export const springsAmplitude: Scene<'stretch' | 'stiffness' | 'mass'> = {
     stiffness: { label: 'Stiffness', unit: 'N/m', min: 2, max: 20, step: 0.5, value: 5 },
     mass: { label: 'Each mass', unit: 'kg', min: 0.5, max: 3, step: 0.1, value: 1 },
   },
-  show: { minX: -8.6, maxX: 9, minY: -3.5, maxY: 5.6 },
+  show: { minX: -8.6, maxX: 9.4, minY: -3.5, maxY: 5.8 },
   step: 1 / 240,
   draggable: true,
   style: ({ series, accent, paper }) => ({
@@ -53,9 +53,9 @@ export const springsAmplitude: Scene<'stretch' | 'stiffness' | 'mass'> = {
     ];
     for (const start of starts) {
       const energy = (stiffness * start * start) / 2;
-      const text = `${energy.toFixed(1)} J`;
-      still.push({ kind: 'curve', points: [-start, up(energy), start, up(energy)], opacity: 0.7 });
-      still.push({ kind: 'label', x: start + 0.3, y: up(energy), text, align: 'left', tone: 'ink' });
+      const text = `${energy.toFixed(energy < 100 ? 1 : 0)} J`;
+      still.push({ kind: 'curve', points: [-start, up(energy), 7.3, up(energy)], opacity: 0.6 });
+      still.push({ kind: 'label', x: 7.5, y: up(energy), text, align: 'left', tone: 'ink' });
     }
 
     const omega = Math.sqrt(stiffness / mass);
@@ -66,15 +66,15 @@ export const springsAmplitude: Scene<'stretch' | 'stiffness' | 'mass'> = {
         ...still,
         ...starts.map((start, lane): Guide => {
           const x = start * Math.cos(omega * world.time);
-          return { kind: 'circle', x, y: yOf(lane), radius: 0.36, tone: 'ink', opacity: 0.45 };
+          return { kind: 'circle', x, y: yOf(lane), radius: 0.34, tone: 'ink', opacity: 0.45 };
         }),
         ...pairs.flatMap(([bob, spring]): Guide[] => {
           const x = spring.extension;
           const potential = up(spring.energy);
           const all = up(spring.energy + kinetic(bob));
           return [
-            { kind: 'curve', points: [x, floor, x, potential], tone: 1 },
-            { kind: 'curve', points: [x, potential, x, all], tone: 'accent' },
+            { kind: 'curve', points: [x, floor, x, potential], tone: 1, bold: true },
+            { kind: 'curve', points: [x, potential, x, all], tone: 'accent', bold: true },
             { kind: 'circle', x, y: potential, radius: 0.1, filled: true, tone: 1 },
           ];
         }),

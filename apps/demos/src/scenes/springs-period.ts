@@ -21,7 +21,8 @@ export const springsPeriod: Scene<'stiffness' | 'mass' | 'stretch'> = {
     mass: { label: 'Each mass', unit: 'kg', min: 0.5, max: 2, step: 0.1, value: 1 },
     stretch: { label: 'Stretch at the start', unit: 'm', min: 0.5, max: 2, step: 0.1, value: 1.7 },
   },
-  show: { minX: -7.2, maxX: 9.6, minY: -4, maxY: 4.7 },
+  show: { minX: -7.9, maxX: 10.1, minY: -4.5, maxY: 4.7 },
+  step: 1 / 120,
   draggable: true,
   style: ({ series, paper, quiet, ink }) => ({
     particle: { stroke: paper, strokeWidth: 1.5 },
@@ -40,26 +41,28 @@ export const springsPeriod: Scene<'stiffness' | 'mass' | 'stretch'> = {
     });
 
     const omegas = times.map((factor) => Math.sqrt((factor * stiffness) / mass));
-    const length = (3 * 2 * Math.PI) / omegas[0];
+    const length = (2 * 2 * Math.PI) / omegas[0];
     const across = (t: number): number => (chart * t) / length;
     const beforehand = omegas.map((omega, lane): Guide => {
       const ts = Array.from({ length: 241 }, (_, n) => (n / 240) * length);
       const points = ts.flatMap((t) => [across(t), -stretch * Math.cos(omega * t)]);
-      return { kind: 'curve', points, dashed: true, tone: lane, opacity: 0.7 };
+      return { kind: 'curve', points, dashed: true, tone: lane, opacity: 0.6 };
     });
     const label = (x: number, y: number, text: string): Guide => ({ kind: 'label', x, y, text, tone: 'ink' });
     const words: Guide[] = [
       { kind: 'curve', points: [-6.4, 0, chart, 0], opacity: 0.5 },
-      { kind: 'label', x: -6.4, y: -2.75, text: 'k' },
-      { kind: 'label', x: -6.4, y: -3.45, text: 'T' },
-      ...times.map((factor, lane) => label(xOf(lane), -2.75, `${factor * stiffness}`)),
-      ...omegas.map((omega, lane) => label(xOf(lane), -3.45, ((2 * Math.PI) / omega).toFixed(2))),
-      ...[1, 2, 3].map((n) => label((chart * n) / 3, -2.75, `${((n * length) / 3).toFixed(2)} s`)),
+      ...['k', 'T', 'seen'].map((text, row): Guide => {
+        return { kind: 'label', x: -7.7, y: -2.7 - 0.65 * row, text, align: 'left' };
+      }),
+      ...times.map((factor, lane) => label(xOf(lane), -2.7, `${factor * stiffness}`)),
+      ...omegas.map((omega, lane) => label(xOf(lane), -3.35, ((2 * Math.PI) / omega).toFixed(2))),
+      ...[1, 2].map((n) => label((chart * n) / 2, -2.7, `${((n * length) / 2).toFixed(2)} s`)),
     ];
 
     let begun = 0;
     let lines: number[][] = [];
     let meters: PeriodMeter[] = [];
+    const seen = times.map(() => '');
     const begin = (): void => {
       begun = world.stepCount;
       lines = bobs.map(() => []);
@@ -71,34 +74,35 @@ export const springsPeriod: Scene<'stiffness' | 'mass' | 'stretch'> = {
     return {
       world,
       beforeStep(dt) {
-        // Three periods of the softest are whole periods of all: they begin again where they are.
+        // Two periods of the softest are whole periods of all: they begin again where they are.
         if ((world.stepCount - begun) * dt >= length) begin();
         const time = (world.stepCount - begun) * dt;
         for (const [lane, { y }] of bobs.entries()) {
           lines[lane].push(across(time), y);
           meters[lane].add(time, y);
+          if (meters[lane].period > 0) seen[lane] = meters[lane].period.toFixed(2);
         }
       },
       guides: () => [
         ...words,
         ...beforehand,
-        ...lines.map((points, tone): Guide => ({ kind: 'curve', points, tone })),
+        ...lines.map((points, tone): Guide => ({ kind: 'curve', points, tone, bold: true })),
+        ...seen.map((text, lane) => label(xOf(lane), -4, text)),
         ...bobs.map(({ x, y }, lane): Guide => {
           return { kind: 'curve', points: [x, y, lines[lane].at(-2) ?? 0, y], tone: lane, opacity: 0.3 };
         }),
       ],
-      readouts: () =>
-        [
-          { label: 'Softest swings in', value: meters[0].period, unit: 's', digits: 3 },
-          { label: 'Stiffest', value: meters[3].period, unit: 's', digits: 3 },
-        ].filter(({ value }) => value > 0),
+      readouts: () => [
+        { label: 'Longest period', value: (2 * Math.PI) / omegas[0], unit: 's' },
+        { label: 'Shortest', value: (2 * Math.PI) / omegas[3], unit: 's' },
+      ],
     };
   },
 
   check(run) {
     const trial = run();
     const meters = times.map(() => new PeriodMeter());
-    trial.run(9.4, () => {
+    trial.run(6.2, () => {
       const { world } = trial.setup;
       for (const [lane, meter] of meters.entries()) meter.add(world.time, world.particleAt(lane).y);
     });

@@ -46,7 +46,7 @@ export class Overlay {
     for (const guide of guides) {
       const color = colorOf(guide.tone ?? 'quiet', ink);
       context.globalAlpha = guide.opacity ?? 1;
-      context.lineWidth = 'bold' in guide && guide.bold ? 2 * line + 0.5 : line;
+      context.lineWidth = 'bold' in guide && guide.bold ? line + 1.25 : line;
       context.strokeStyle = color;
       context.fillStyle = color;
       drawGuide(context, guide, camera, ink);
