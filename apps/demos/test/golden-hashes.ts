@@ -5,7 +5,7 @@ export const goldenHashes: { readonly [id: string]: string } = {
   'buoyancy-masses': '9d8ee06b',
   'buoyancy-volumes': 'b4740f6f',
   'buoyancy-waves': '6db79583',
-  'contact-normal': 'ea8c97e1 19aa7122',
+  'contact-normal': 'e72b0e78 fc4e3840',
   'contact-order': '33aad523 5189e805',
   fireworks: 'c55b8772',
   'force-generators': 'ebdf6886',

@@ -34,21 +34,34 @@ export class Collisions {
   readonly world: World = new World();
   readonly ways: readonly Way[];
   readonly #steps: number;
+  readonly #rail: number;
   readonly #rings: Guide[] = [];
   #dots: Guide[] = [];
   #begun = 0;
 
-  /** `after` is how long the discs are followed after the hit. Unit: s. */
-  constructor(hits: readonly Hit[], after: number) {
+  /**
+   * `after` is how long the discs are followed after the hit, in s. The marks of the first lie by `rail` under the way, those
+   * of the second over it, so that they are told apart where both go one way, in m.
+   */
+  constructor(hits: readonly Hit[], { after, rail = 0 }: { after: number; rail?: number }) {
     this.world.addContactGenerator(new DiscContacts());
+    this.#rail = rail;
     this.#steps = untilHit + Math.round(after / step);
     this.ways = hits.flatMap((hit) => this.#add(hit));
     this.restart();
-    for (let n = untilHit + flash; n <= this.#steps; n += flash) {
-      for (const way of this.ways) {
-        this.#rings.push({ kind: 'circle', ...placeAt(way, n), radius: 0.11, tone: way.particle.group });
-      }
+    for (let n = untilHit % flash; n <= this.#steps; n += flash) {
+      this.#rings.push(...this.#marks(n, 0.11, false, (way) => placeAt(way, n)));
     }
+  }
+
+  /** A mark for each disc at a place, but for those that are not hit yet. */
+  #marks(n: number, radius: number, filled: boolean, place: (way: Way) => Point): Guide[] {
+    const moving = this.ways.filter(({ particle }) => n > untilHit || particle.group === 0);
+    return moving.map((way) => {
+      const { x, y } = place(way);
+      const tone = way.particle.group;
+      return { kind: 'circle', x, y: tone === 0 ? y - this.#rail : y + this.#rail, radius, filled, tone };
+    });
   }
 
   /** v_a' = v_a + J n / m_a and v_b' = -J n / m_b, with J = -(1 + e) v_a·n / (1/m_a + 1/m_b). */
@@ -78,13 +91,7 @@ export class Collisions {
   /** To be called before each step: leaves the marks, and begins again. */
   beforeStep(): void {
     const n = this.world.stepCount - this.#begun;
-    if (n > untilHit && (n - untilHit) % flash === 0) {
-      for (const {
-        particle: { x, y, group },
-      } of this.ways) {
-        this.#dots.push({ kind: 'circle', x, y, radius: 0.07, filled: true, tone: group });
-      }
-    }
+    if (n % flash === untilHit % flash) this.#dots.push(...this.#marks(n, 0.07, true, ({ particle }) => particle));
     if (n > this.#steps + 10) this.restart();
   }
 

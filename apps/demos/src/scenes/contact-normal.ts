@@ -1,17 +1,19 @@
-import { HalfPlane, type Particle, spring, World } from '@mass/core';
+import { Box, HalfPlane, type Particle, spring, World } from '@mass/core';
+import { Again } from './again.ts';
 import { wear } from './outline.ts';
 import type { Guide, Point, Scene } from './scene.ts';
 
 /** Length of the hooks from their particles, less the thickness of one: apart by this, they hold. Unit: m. */
 const reach = 2.9;
 const ceiling = 3.6;
+const start = { a: 1.7, b: -0.7 };
 const floor = -3.1;
 
 /** A hook: a shank, then most of a circle that is open on one side. `down` is 1, or -1 for one that hangs upside down. */
 function hook(down: number): Point[] {
   const points: Point[] = [{ x: 0, y: 0 }];
-  for (let n = 0; n <= 20; n++) {
-    const angle = Math.PI / 2 - (n / 20) * 1.4 * Math.PI;
+  for (let n = 0; n <= 28; n++) {
+    const angle = Math.PI / 2 - (n / 28) * 1.4 * Math.PI;
     points.push({ x: 0.45 * Math.cos(angle) * down, y: (0.45 * Math.sin(angle) - 1.05) * down });
   }
   return points;
@@ -21,8 +23,9 @@ function hook(down: number): Point[] {
 function pair(sign: 1 | -1, weight: number, restitution: number) {
   const world = new World({ gravity: { x: 0, y: -9.81 } });
   world.addShape(new HalfPlane({ point: { x: 0, y: floor } }));
-  const a = world.addParticle({ x: 0, y: 1.7, mass: 1, radius: 0.2, damping: 0.5 });
-  const b = world.addParticle({ x: 0, y: 0.1, mass: weight, radius: 0.3, damping: 0.5, group: 1 });
+  world.addShape(new Box({ centre: { x: 0, y: ceiling + 0.15 }, width: 1.8, height: 0.3 }));
+  const a = world.addParticle({ x: 0, y: start.a, mass: 1, radius: 0.2, damping: 0.5 });
+  const b = world.addParticle({ x: 0, y: start.b, mass: weight, radius: 0.3, damping: 0.5, group: 1 });
   wear(world, a, hook(1), 0, false);
   wear(world, b, hook(-1), 1, false);
   world.addForce(spring({ x: 0, y: ceiling }, a, { stiffness: 60, restLength: 1.7, damping: 0.6 }));
@@ -51,7 +54,7 @@ export const contactNormal: Scene<'weight' | 'restitution'> = {
     weight: { label: 'Lower weight', unit: 'kg', min: 0.5, max: 3, step: 0.1, value: 1.5 },
     restitution: { label: 'Restitution', min: 0, max: 0.9, step: 0.05, value: 0.3 },
   },
-  show: { minX: -2.9, maxX: 2.9, minY: -3.5, maxY: 4.1 },
+  show: { minX: -2.9, maxX: 2.9, minY: -3.5, maxY: 4.6 },
   draggable: true,
   poster: 0.9,
   style: ({ series, paper }) => ({
@@ -63,24 +66,18 @@ export const contactNormal: Scene<'weight' | 'restitution'> = {
 
   build({ weight, restitution }) {
     const [wrong, right] = ([1, -1] as const).map((sign) => pair(sign, weight, restitution));
-    let touched = false;
-    let begun = 0;
-    function drop(): void {
-      begun = right.world.stepCount;
+    const again = new Again([wrong.world, right.world], 5, 'd', 'Drop again', () => {
       for (const { a, b } of [wrong, right]) {
-        Object.assign(a, { x: 0, y: 1.7, vx: 0, vy: 0 });
-        Object.assign(b, { x: 0, y: 0.1, vx: 0, vy: 0 });
+        Object.assign(a, { x: 0, y: start.a, vx: 0, vy: 0 });
+        Object.assign(b, { x: 0, y: start.b, vx: 0, vy: 0 });
       }
-    }
+    });
     return {
       world: wrong.world,
       label: 'n as for discs',
       beside: [{ world: right.world, label: 'n the other way', guides: () => normal(right.a, -1) }],
-      actions: [{ key: 'd', label: 'Drop again', run: drop }],
-      beforeStep(dt) {
-        touched ||= wrong.world.forces.length + right.world.forces.length > 2;
-        if (!touched && (right.world.stepCount - begun) * dt > 5) drop();
-      },
+      actions: [again.action],
+      beforeStep: () => again.beforeStep(),
       guides: () => normal(wrong.a, 1),
       readouts: () => [
         { label: 'Apart, n as for discs', value: wrong.a.y - wrong.b.y, unit: 'm' },

@@ -1,4 +1,5 @@
 import { type Resolver, type Shape, severity, World } from '@mass/core';
+import { Again } from './again.ts';
 import { wear } from './outline.ts';
 import type { Guide, Point, Scene, Values } from './scene.ts';
 import { wrongResolver } from './wrong-resolver.ts';
@@ -8,7 +9,7 @@ const half = { x: 1.1, y: 0.4 };
 const drop = 1.6;
 /** Half the width of each support; the block's lower corners land on their middles. */
 const top = 0.55;
-const base = -2.2;
+const base = -9;
 
 /** A shape to be seen: the contacts are found elsewhere. */
 const scenery = (outline: readonly Point[]): Shape & { outline: readonly Point[] } => ({
@@ -80,33 +81,27 @@ export const contactOrder: Scene<'tilt' | 'restitution'> = {
     tilt: { label: 'Tilt of the right support', unit: '°', min: 10, max: 60, step: 1, value: 35 },
     restitution: { label: 'Restitution', min: 0, max: 0.8, step: 0.05, value: 0.2 },
   },
-  show: { minX: -3.1, maxX: 3.1, minY: -2.3, maxY: 3.3 },
+  show: { minX: -3.1, maxX: 3.1, minY: -1.7, maxY: 3.1 },
   draggable: true,
   poster: 0.9,
   style: ({ series, paper }) => ({
     background: paper,
     groups: { 0: { fill: series[1] }, 1: { fill: series[1], alpha: 0 } },
-    bodies: { mark: false, fillAlpha: 0.85, stroke: null },
+    bodies: { mark: false, fillAlpha: 0.4, stroke: null },
   }),
 
   build(values) {
     const wrong = blockOver(wrongResolver({ leastSevereFirst: true }), values);
     const right = blockOver(severity(), values);
-    let touched = false;
-    let begun = 0;
-    function lift(): void {
-      begun = right.world.stepCount;
+    const again = new Again([wrong.world, right.world], 2.5, 'd', 'Drop again', () => {
       for (const { block } of [wrong, right]) Object.assign(block, { x: 0, y: half.y + drop, vx: 0, vy: 0 });
-    }
+    });
     return {
       world: wrong.world,
       label: 'Least severe first',
       beside: [{ world: right.world, label: 'Most severe first', guides: () => normals(right, 'level') }],
-      actions: [{ key: 'd', label: 'Drop again', run: lift }],
-      beforeStep(dt) {
-        touched ||= wrong.world.forces.length + right.world.forces.length > 0;
-        if (!touched && (right.world.stepCount - begun) * dt > 2.5) lift();
-      },
+      actions: [again.action],
+      beforeStep: () => again.beforeStep(),
       guides: () => normals(wrong, 'slope'),
       readouts: () => [
         { label: 'Sideways, least severe first', value: wrong.block.vx, unit: 'm/s' },

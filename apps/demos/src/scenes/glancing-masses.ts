@@ -1,5 +1,5 @@
 import { Collisions } from './collisions.ts';
-import type { Guide, Scene } from './scene.ts';
+import type { Guide, Point, Scene } from './scene.ts';
 
 const speed = 2.4;
 const xOf = (column: number): number => 6 * (column - 1);
@@ -26,9 +26,10 @@ export const glancingMasses: Scene<'offset' | 'ratio' | 'restitution'> = {
   },
   show: { minX: -9, maxX: 9, minY: -4.6, maxY: 5.6 },
   poster: 1.9,
-  style: ({ series, paper }) => ({
+  style: ({ series, paper, ink }) => ({
     background: paper,
     groups: { 0: { fill: series[1] }, 1: { fill: series[3] } },
+    velocities: { color: ink, scale: 0.4 },
   }),
 
   build({ offset, ratio, restitution }) {
@@ -41,7 +42,7 @@ export const glancingMasses: Scene<'offset' | 'ratio' | 'restitution'> = {
         const first = { x: x + offset * reach, y: -reach * Math.sqrt(1 - offset * offset) };
         return { masses: pair, radii, at: [first, { x, y: 0 }] as const, v: { x: 0, y: speed }, restitution };
       }),
-      1.5,
+      { after: 1.5 },
     );
     const words = rows.flatMap(([a, b], column): Guide[] => {
       const [first, second] = [collisions.ways[2 * column], collisions.ways[2 * column + 1]];
@@ -51,7 +52,7 @@ export const glancingMasses: Scene<'offset' | 'ratio' | 'restitution'> = {
       return [
         { kind: 'label', x: xOf(column), y: 5.2, text: `${a} : ${b}`, tone: 'ink' },
         { kind: 'label', x: xOf(column), y: -4.2, text: `apart by ${angle.toFixed(0)}°` },
-        { kind: 'curve', points: [first.at.x, first.at.y, second.at.x, second.at.y], dashed: true, opacity: 0.8 },
+        { kind: 'curve', points: normal(first.at, second.at), dashed: true, opacity: 0.8 },
       ];
     });
     return {
@@ -96,4 +97,10 @@ export const glancingMasses: Scene<'offset' | 'ratio' | 'restitution'> = {
         });
       }),
     ),
+};
+
+/** The line of the two centres, to the far side of the one that is hit. */
+const normal = (a: Point, b: Point): number[] => {
+  const reach = 3.4 / Math.hypot(b.x - a.x, b.y - a.y);
+  return [a.x, a.y, b.x + (b.x - a.x) * reach, b.y + (b.y - a.y) * reach];
 };

@@ -1,4 +1,5 @@
 import { type Resolver, severity, World } from '@mass/core';
+import { Again } from './again.ts';
 import type { Guide, Scene, Values } from './scene.ts';
 import { wrongResolver } from './wrong-resolver.ts';
 
@@ -60,8 +61,14 @@ function marks(pairs: Pairs): Guide[] {
       tick(endB),
       { kind: 'arrow', from: { x: startA, y }, to: a, tone: 'ink' },
       { kind: 'arrow', from: { x: startB, y }, to: b, tone: 'ink' },
-      { kind: 'label', x: -1.5, y: y - radiusOf(1) - 0.28, text: '1 kg', tone: 'ink' },
-      { kind: 'label', x: 1.5, y: y - b.radius - 0.28, text: mass === Infinity ? '∞' : `${mass} kg`, tone: 'ink' },
+      { kind: 'label', x: endA, y: y - b.radius - 0.28, text: '1 kg', tone: 'ink' },
+      {
+        kind: 'label',
+        x: endB,
+        y: y - b.radius - 0.28,
+        text: mass === Infinity ? 'immovable' : `${mass} kg`,
+        tone: 'ink',
+      },
     ];
   });
 }
@@ -92,24 +99,18 @@ export const interpenetration: Scene<'depth' | 'mass' | 'share'> = {
   build(values) {
     const wrong = pairsIn(wrongResolver({ moves: asPrinted }), values);
     const right = pairsIn(severity(), values);
-    let touched = false;
-    let begun = 0;
-    function press(): void {
-      begun = right.world.stepCount;
+    const again = new Again([wrong.world, right.world], 4, 'i', 'Into each other again', () => {
       for (const { a, b, y, startA, startB } of [...wrong.pairs, ...right.pairs]) {
         Object.assign(a, { x: startA, y, vx: 0, vy: 0 });
         Object.assign(b, { x: startB, y, vx: 0, vy: 0 });
       }
-    }
+    });
     return {
       world: wrong.world,
       label: 'As printed',
       beside: [{ world: right.world, label: 'By inverse mass', guides: () => marks(right.pairs) }],
-      actions: [{ key: 'i', label: 'Into each other again', run: press }],
-      beforeStep(dt) {
-        touched ||= wrong.world.forces.length + right.world.forces.length > 0;
-        if (!touched && (right.world.stepCount - begun) * dt > 4) press();
-      },
+      actions: [again.action],
+      beforeStep: () => again.beforeStep(),
       guides: () => marks(wrong.pairs),
     };
   },

@@ -18,19 +18,19 @@ export const masses: Scene<'ratio' | 'restitution'> = {
   figure: 'Figure 19',
   title: 'Collisions of different masses',
   summary:
-    'In each row a ball flies into one at rest, all at the same speed. The heavy one goes on and drives the light one before it; of two alike the first hands on its motion, all of it at restitution 1; the light one comes back. A ring is where the closed form has a ball at each quarter of a second, the dot in it is where it was. The black dot is the centre of mass of the two: the hit does not concern it.',
-  lookFor:
-    'Every dot falls into its ring, and the dark centre of mass of each pair goes on as if nothing had happened.',
+    'In each row a ball flies into one at rest, all at the same speed. The heavy one goes on and drives the light one before it; of two alike the first hands on its motion, all of it at restitution 1; the light one comes back. A ring is where the closed form has a ball at each quarter of a second, the dot in it is where it was. The small dot between them is their centre of mass: the hit does not concern it.',
+  lookFor: 'Every dot falls into its ring, and the centre of mass of each pair goes on as if nothing had happened.',
   formula: String.raw`v_a'=\frac{m_a-e\,m_b}{m_a+m_b}\,v,\qquad v_b'=\frac{(1+e)\,m_a}{m_a+m_b}\,v`,
   parameters: {
     ratio: { label: 'Mass ratio from row to row', unit: '×', min: 1.5, max: 3, step: 0.1, value: 2.5 },
     restitution: { label: 'Restitution', min: 0, max: 1, step: 0.05, value: 1 },
   },
-  show: { minX: -4.2, maxX: 9.6, minY: -3.9, maxY: 4.3 },
+  show: { minX: -5.6, maxX: 10.4, minY: -3.9, maxY: 4.3 },
   poster: 1.9,
-  style: ({ series, paper }) => ({
+  style: ({ series, paper, ink }) => ({
     background: paper,
     groups: { 0: { fill: series[1] }, 1: { fill: series[3] } },
+    velocities: { color: ink, scale: 0.4 },
   }),
 
   build({ ratio, restitution }) {
@@ -44,14 +44,14 @@ export const masses: Scene<'ratio' | 'restitution'> = {
         ] as const;
         return { masses: pair, radii, at, v: { x: speed, y: 0 }, restitution };
       }),
-      2.25,
+      { after: 2.25, rail: 0.17 },
     );
     const words = rows.flatMap(([a, b], row): Guide[] => [
-      { kind: 'label', x: -4, y: yOf(row), text: `${round(a)} : ${round(b)}`, tone: 'ink', align: 'left' },
-      { kind: 'label', x: 8.2, y: yOf(row), text: collisions.ways[2 * row].after.x.toFixed(2), tone: 0 },
+      { kind: 'label', x: -5.4, y: yOf(row), text: `${round(a)} : ${round(b)}`, tone: 'ink', align: 'left' },
+      { kind: 'label', x: 8.9, y: yOf(row), text: collisions.ways[2 * row].after.x.toFixed(2), tone: 0 },
       {
         kind: 'label',
-        x: 9.4,
+        x: 10.2,
         y: yOf(row),
         text: collisions.ways[2 * row + 1].after.x.toFixed(2),
         tone: 1,
@@ -59,8 +59,8 @@ export const masses: Scene<'ratio' | 'restitution'> = {
       },
     ]);
     const heads: Guide[] = [
-      { kind: 'label', x: -4, y: 4, text: 'mₐ : m_b', align: 'left' },
-      { kind: 'label', x: 9.4, y: 4, text: 'after, m/s', align: 'right' },
+      { kind: 'label', x: -5.4, y: 4, text: 'kg', align: 'left' },
+      { kind: 'label', x: 10.2, y: 4, text: 'm/s after', align: 'right' },
       { kind: 'curve', points: [0, -3.7, 0, 3.7], dashed: true, opacity: 0.6 },
     ];
     return {

@@ -12,7 +12,13 @@ const line =
  */
 export function wear(world: World, wearer: Particle, points: readonly Point[], group: number, closed = true): Body {
   const { x, y } = wearer;
-  const particles = points.map((point) => ({ x: x + point.x, y: y + point.y, mass: Infinity, group }));
+  const particles = points.map((point) => ({
+    x: x + point.x,
+    y: y + point.y,
+    mass: Infinity,
+    radius: closed ? 0 : 0.03,
+    group,
+  }));
   const links = closed ? [] : points.slice(1).map((_, n) => ({ a: n, b: n + 1, join: line(`line-${group}`) }));
   const body = world.addBody(aggregate({ kind: 'outline', particles, links, closed }));
   const follow: Effect = {

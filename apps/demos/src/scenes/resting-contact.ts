@@ -56,7 +56,13 @@ export const restingContact: Scene<'frame'> = {
       return restitutions
         .flatMap((restitution, lane): Guide[] => {
           const y = 2 * radius + jump(restitution, values.frame);
-          const label: Guide = { kind: 'label', x: xOf(lane), y: -0.12, text: `${restitution}`, tone: 'ink' };
+          const label: Guide = {
+            kind: 'label',
+            x: xOf(lane),
+            y: -0.12,
+            text: `${lane === 0 ? 'e = ' : ''}${restitution}`,
+            tone: 'ink',
+          };
           return [
             { kind: 'curve', points: [xOf(lane) - radius, y, xOf(lane) + radius, y], dashed: true, tone: lane },
             label,

@@ -1,4 +1,5 @@
 import { HalfPlane, impact, type Particle, World } from '@mass/core';
+import { Again } from './again.ts';
 import type { Guide, Scene } from './scene.ts';
 
 const lanes = 7;
@@ -13,8 +14,8 @@ export const restitution: Scene<'most' | 'gravity'> = {
   figure: 'Figure 18',
   title: 'Restitution',
   summary:
-    'Seven balls are dropped from one height; the smaller, the bouncier. Restitution is the share e of the closing speed that a hit gives back. Height goes with the square of the speed, so each bounce reaches e² of the height before: after n of them e²ⁿ·h. The dashes are these heights, drawn beforehand; the dots are where a ball turned round. The resolver steps from impact to impact, so no height is lost to the length of a step. Take a ball and throw it.',
-  lookFor: 'Every ball turns round just where its next dash is, bounce after bounce.',
+    'Seven balls are dropped from one height; the smaller, the bouncier. Restitution is the share e of the closing speed that a hit gives back. Height goes with the square of the speed, so each bounce reaches e² of the height before: after n of them e²ⁿ·h. The lines are these heights, drawn beforehand; a dot is where the foot of a ball was as it turned round. The resolver steps from impact to impact, so no height is lost to the length of a step. Take a ball and throw it.',
+  lookFor: 'Every ball turns round just as its foot is on the next line, bounce after bounce.',
   formula: String.raw`v_s'=-e\,v_s\qquad\Rightarrow\qquad h_n=e^{2n}\,h`,
   parameters: {
     most: { label: 'Restitution of the bounciest', min: 0.5, max: 1, step: 0.01, value: 0.94 },
@@ -39,40 +40,33 @@ export const restitution: Scene<'most' | 'gravity'> = {
     const dashes = shares.flatMap((share, lane): Guide[] => {
       const reach = radiusOf(lane) + 0.12;
       const x = xOf(lane);
-      const heights = Array.from({ length: 40 }, (_, n) => height * share ** (2 * n)).filter((h) => h > 0.06);
+      const heights = Array.from({ length: 16 }, (_, n) => height * share ** (2 * n)).filter((h) => h > 0.1);
       return [
         ...heights.map((h): Guide => {
-          const y = h + radiusOf(lane);
-          return { kind: 'curve', points: [x - reach, y, x + reach, y], tone: lane, opacity: 0.75 };
+          return { kind: 'curve', points: [x - reach, h, x + reach, h], tone: lane, opacity: 0.75 };
         }),
         { kind: 'label', x, y: -0.32, text: `e = ${share.toFixed(2)}`, tone: 'ink' },
       ];
     });
     let dots: Guide[] = [];
-    let touched = false;
-    let begun = 0;
     const before = balls.map(() => 0);
-    function drop(): void {
-      begun = world.stepCount;
+    const again = new Again([world], period, 'd', 'Drop again', () => {
       dots = [];
+      before.fill(0);
       for (const [lane, ball] of balls.entries()) {
         Object.assign(ball, { x: xOf(lane), y: height + ball.radius, vx: 0, vy: 0 });
-        before[lane] = 0;
       }
-    }
+    });
     return {
       world,
-      actions: [{ key: 'd', label: 'Drop again', run: drop }],
-      beforeStep(dt) {
-        if (world.forces.length > 0) {
-          touched = true;
-          dots = [];
-        }
+      actions: [again.action],
+      beforeStep() {
+        again.beforeStep();
+        if (again.touched) dots = [];
         for (const [lane, ball] of balls.entries()) {
-          if (before[lane] > 0 && ball.vy <= 0 && !touched) dots.push(turn(ball, gravity));
+          if (before[lane] > 0 && ball.vy <= 0) dots.push(turn(ball, gravity));
           before[lane] = ball.vy;
         }
-        if (!touched && (world.stepCount - begun) * dt > period) drop();
       },
       guides: () => [...dashes, ...dots],
     };
@@ -106,7 +100,7 @@ export const restitution: Scene<'most' | 'gravity'> = {
   },
 };
 
-/** A dot where the middle of a ball was when it turned round: found from its speed now. */
-function turn({ x, y, vy }: Particle, gravity: number): Guide {
-  return { kind: 'circle', x, y: y + vy ** 2 / (2 * gravity), radius: 0.06, filled: true, tone: 'ink' };
+/** A dot where the lowest point of a ball was when it turned round: found from its speed now. */
+function turn({ x, y, vy, radius }: Particle, gravity: number): Guide {
+  return { kind: 'circle', x, y: y - radius + vy ** 2 / (2 * gravity), radius: 0.06, filled: true, tone: 'ink' };
 }

@@ -1,4 +1,5 @@
 import { box, forEachParticle, type Resolver, severity, World } from '@mass/core';
+import { Again } from './again.ts';
 import type { Guide, Scene, Values } from './scene.ts';
 import { wrongResolver } from './wrong-resolver.ts';
 
@@ -80,29 +81,23 @@ export const sunkBox: Scene<'depth' | 'pull' | 'share'> = {
   poster: 1.5,
   style: ({ series, paper }) => ({
     background: paper,
-    groups: { 0: { fill: series[0], alpha: 0.8 }, 1: { fill: series[2] } },
+    groups: { 0: { fill: series[1], alpha: 0.7 }, 1: { fill: series[2] } },
     bodies: { fillAlpha: 0.9, mark: false, stroke: paper, strokeWidth: 1.5 },
   }),
 
   build(values) {
     const wrong = planetWith(wrongResolver({ moves: () => [0.5, -0.5] }), values);
     const right = planetWith(severity(), values);
-    let touched = false;
-    let begun = 0;
-    function sink(): void {
-      begun = right.world.stepCount;
+    const again = new Again([wrong.world, right.world], 5, 's', 'Sink again', () => {
       wrong.sink();
       right.sink();
-    }
+    });
     return {
       world: wrong.world,
       label: 'Half each',
       beside: [{ world: right.world, label: 'By inverse mass', guides: () => marks(right) }],
-      actions: [{ key: 's', label: 'Sink again', run: sink }],
-      beforeStep(dt) {
-        touched ||= wrong.world.forces.length + right.world.forces.length > 2;
-        if (!touched && (right.world.stepCount - begun) * dt > 5) sink();
-      },
+      actions: [again.action],
+      beforeStep: () => again.beforeStep(),
       guides: () => marks(wrong),
       readouts: () => [
         { label: 'Planet moved, half each', value: Math.hypot(wrong.planet.x, wrong.planet.y), unit: 'm' },
