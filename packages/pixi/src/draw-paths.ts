@@ -27,7 +27,7 @@ export function drawPaths(
 
 /**
  * A line as three bands along it: a soft edge, the middle, a soft edge. Thinner than a pixel it has no middle, and its
- * coverage is less.
+ * coverage is less. Where it turns by more than a right angle it ends, and begins anew, with square ends.
  */
 function addLine(
   triangles: Triangles,
@@ -38,50 +38,65 @@ function addLine(
   width: number,
   soft: number,
 ): void {
-  const inner = Math.max(0, (width - soft) / 2);
-  const outer = inner + soft;
-  const coverage = Math.min(1, width / soft);
   const last = end - 2;
   let start = -1;
   let before = -1;
-  let ux = 0;
-  let uy = 0;
-  if (closed) {
-    ux = directionX(points, last, first);
-    uy = directionY(points, last, first);
-  }
+  let ux = closed ? directionX(points, last, first) : 0;
+  let uy = closed ? directionY(points, last, first) : 0;
   for (let k = first; k < end; k += 2) {
-    const next = k < last ? k + 2 : closed ? first : -1;
-    let vx = next < 0 ? ux : directionX(points, k, next);
-    let vy = next < 0 ? uy : directionY(points, k, next);
+    const next = k < last ? k + 2 : closed ? first : k;
+    let vx = directionX(points, k, next);
+    let vy = directionY(points, k, next);
     if (vx === 0 && vy === 0) {
       vx = ux;
       vy = uy;
     }
-    if (k === first && !closed) {
+    if (ux === 0 && uy === 0) {
       ux = vx;
       uy = vy;
     }
-    // Out along the middle of the two normals, as far as makes both bands as wide as they should be.
-    let mx = -(uy + vy);
-    let my = ux + vx;
-    const square = mx * mx + my * my;
-    const reach = square > 1e-6 ? Math.min(mostMitre, 2 / Math.sqrt(square)) / Math.sqrt(square) : 0;
-    mx = reach === 0 ? -vy : mx * reach;
-    my = reach === 0 ? vx : my * reach;
     const x = points[k];
     const y = points[k + 1];
-    const at = triangles.corner(x + mx * outer, y + my * outer, 0);
-    triangles.corner(x + mx * inner, y + my * inner, coverage);
-    triangles.corner(x - mx * inner, y - my * inner, coverage);
-    triangles.corner(x - mx * outer, y - my * outer, 0);
-    if (before >= 0) addBands(triangles, before, at);
-    else start = at;
-    before = at;
+    const half = width / 2;
+    if (ux * vx + uy * vy < 0) {
+      const stop = addCorners(triangles, x + half * ux, y + half * uy, -uy, ux, width, soft);
+      if (before >= 0) addBands(triangles, before, stop);
+      else start = stop; // of a closed line: where it ends
+      before = addCorners(triangles, x - half * vx, y - half * vy, -vy, vx, width, soft);
+    } else {
+      // Out along the middle of the two normals, as far as makes both bands as wide as they should be.
+      const mx = -(uy + vy);
+      const my = ux + vx;
+      const reach = 2 / Math.max(1e-12, mx * mx + my * my);
+      const at = addCorners(triangles, x, y, mx * reach, my * reach, width, soft);
+      if (before >= 0) addBands(triangles, before, at);
+      else start = at;
+      before = at;
+    }
     ux = vx;
     uy = vy;
   }
-  if (closed && before >= 0) addBands(triangles, before, start);
+  if (closed) addBands(triangles, before, start);
+}
+
+/** Adds the four corners across a line, out along (mx, my) and its opposite. Returns the number of the first. */
+function addCorners(
+  triangles: Triangles,
+  x: number,
+  y: number,
+  mx: number,
+  my: number,
+  width: number,
+  soft: number,
+): number {
+  const inner = Math.max(0, (width - soft) / 2);
+  const outer = inner + soft;
+  const coverage = Math.min(1, width / soft);
+  const at = triangles.corner(x + mx * outer, y + my * outer, 0);
+  triangles.corner(x + mx * inner, y + my * inner, coverage);
+  triangles.corner(x - mx * inner, y - my * inner, coverage);
+  triangles.corner(x - mx * outer, y - my * outer, 0);
+  return at;
 }
 
 function addBands(triangles: Triangles, from: number, to: number): void {

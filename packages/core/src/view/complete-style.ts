@@ -76,7 +76,7 @@ export function completeStyle(style: Style): SceneStyle {
       stroke: tones.ink,
       strokeWidth: 2,
       hatch: tones.ink,
-      hatchAlpha: 0.28,
+      hatchAlpha: 0.26,
       hatchSpacing: 9,
     }),
     liquids: section(style.liquids, {

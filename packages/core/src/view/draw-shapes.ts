@@ -26,6 +26,8 @@ interface ToldShape extends Shape {
   readonly normal?: Readonly<Vec2>;
 }
 
+/** A little more than 1: browsers draw lines of 1 px and less by a rule of their own, lighter where they slant. */
+const hatchWidth = 1.1;
 /** How far past the edge of the view scenery without end is drawn. Unit: CSS px. */
 const beyond = 8;
 
@@ -39,13 +41,14 @@ export class ShapeArt {
   readonly #clipped = new Float64Array(12);
   readonly #ring = new Points();
   readonly #chain = new Points();
+  readonly #inner = new Points();
   #radii: Float64Array = new Float64Array(16);
 
   constructor({ shapes }: SceneStyle) {
     const { fill = null, stroke = null, hatch = null } = shapes ?? {};
     this.#fill = fill === null || !shapes ? null : pathPaint(fill, shapes.fillAlpha, 0);
     this.#stroke = stroke === null || !shapes?.strokeWidth ? null : pathPaint(stroke, 1, shapes.strokeWidth);
-    this.#hatch = hatch === null || !shapes ? null : pathPaint(hatch, shapes.hatchAlpha, 1, true);
+    this.#hatch = hatch === null || !shapes ? null : pathPaint(hatch, shapes.hatchAlpha, hatchWidth, true);
     this.#spacing = shapes?.hatchSpacing ?? 0;
   }
 
@@ -129,7 +132,7 @@ export class ShapeArt {
     }
     const { data, count } = chain;
     if (closed) {
-      this.#addBand(chain, width, list);
+      this.#addBand(chain, width, list, frame);
       return;
     }
     for (let k = count - 2; k > 0; k--) chain.add(data[2 * k], data[2 * k + 1]);
@@ -137,16 +140,22 @@ export class ShapeArt {
     this.#finish(list, frame, true);
   }
 
-  /** A thick wall around: a band, and a line along either side of it. */
-  #addBand(chain: Points, width: number, list: PathList): void {
-    if (this.#fill !== null && this.#fill.alpha > 0) {
-      chain.copyTo(list);
-      list.end(pathKinds.ring, { ...this.#fill, width });
+  /** A thick wall around: along its outer side, across, back along its inner side, and across again. */
+  #addBand(chain: Points, width: number, list: PathList, frame: Frame): void {
+    const { data, count } = chain;
+    const ring = this.#ring.clear();
+    const inner = this.#inner.clear();
+    addRounded(ring, data, count, this.#grow(count, width / 2));
+    addRounded(inner, data, count, this.#grow(count, width / 2), true);
+    ring.add(ring.data[0], ring.data[1]);
+    for (let k = inner.count; k >= 0; k--) {
+      const at = 2 * (k % inner.count);
+      ring.add(inner.data[at], inner.data[at + 1]);
     }
+    this.#finish(list, frame, false);
     if (this.#stroke === null) return;
-    const grow = this.#grow(chain.count, width / 2 - this.#stroke.width / 2);
     for (const inwards of [false, true]) {
-      addRounded(list, chain.data, chain.count, grow, inwards);
+      addRounded(list, data, count, this.#grow(count, (width - this.#stroke.width) / 2), inwards);
       list.end(pathKinds.ring, this.#stroke);
     }
   }

@@ -12,7 +12,7 @@ export interface ShapeStyle {
   readonly strokeWidth: number;
   /** Slanting lines over the solid side. `null` for none. @default a grey that suits the background */
   readonly hatch: Color | null;
-  /** Opacity of the hatching, 0 to 1. @default 0.28 */
+  /** Opacity of the hatching, 0 to 1. @default 0.26 */
   readonly hatchAlpha: number;
   /** From one line of the hatching to the next, whatever the zoom; at least 2. Unit: CSS px. @default 9 */
   readonly hatchSpacing: number;
