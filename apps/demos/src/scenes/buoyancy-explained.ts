@@ -16,6 +16,7 @@ function force(
   side: 'left' | 'right',
   tone: 'accent' | 'ink',
 ): Guide[] {
+  if (Math.abs(newtons) < 0.05) return [];
   const to = { x, y: y + newtons * metresPerNewton };
   const text = `${name} ${Math.abs(newtons).toFixed(1)} N`;
   const away = side === 'left' ? 0.009 : -0.009;
@@ -53,7 +54,7 @@ export const buoyancyExplained: Scene<'mass' | 'volume' | 'density'> = {
     world.addShape(new HalfPlane({ point: { x: 0, y: -depth } }));
     const side = Math.sqrt(volume / 1000);
     const block = { mass, width: side, height: side };
-    const held = addFloat(world, [water], block, { x: -0.08, y: -0.082 });
+    const held = addFloat(world, [water], block, { x: -0.08, y: cord.short + 0.0125 - depth });
     const free = addFloat(world, [water], block, { x: 0.09, y: 0.06 });
     const line = world.addForce(
       bungee({ x: -0.08, y: -depth }, held, { stiffness: 400, restLength: cord.short, damping: 3 }),
@@ -72,9 +73,10 @@ export const buoyancyExplained: Scene<'mass' | 'volume' | 'density'> = {
         ...force('weight', x - side / 4, y - side / 2, -mass * g, 'right', 'ink'),
         { kind: 'label', x: x + side / 2 + 0.008, y: y + side * 0.3, text: `${share} % under`, align: 'left' },
       ];
-      if (block === held) guides.push({ kind: 'circle', x, y, radius: 0.0022, filled: true });
-      const pull = block === held ? -line.force : 0;
-      if (pull < -0.005) guides.push(...force('cord', x + side / 4, y - side / 2, pull, 'left', 'ink'));
+      if (block === held) {
+        guides.push({ kind: 'circle', x, y, radius: 0.0022, filled: true });
+        guides.push(...force('cord', x + side / 4, y - side / 2, -line.force, 'left', 'ink'));
+      }
       return guides;
     }
 
