@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { World } from '../../src/index.ts';
+import { Buoyancy, box, World } from '../../src/index.ts';
 import { pickParticle } from '../../src/view/index.ts';
 
 describe('pickParticle', () => {
@@ -33,6 +33,28 @@ describe('pickParticle', () => {
     const other = world.addParticle({ x: 1, y: 0 });
     other.remove();
     expect(pickParticle(world, 0, 0, 10)).toBeUndefined();
+  });
+
+  it('takes hold of a body by its nearest particle, of the one on top', () => {
+    const world = new World();
+    const under = world.addBody(box({ x: 0, y: 0, width: 4, height: 2 }));
+    expect(pickParticle(world, 0.5, 0.3, 0)).toBe(under.particles[2]);
+    expect(pickParticle(world, -1.9, -0.9, 0)).toBe(under.particles[0]);
+    expect(pickParticle(world, 2.1, 0, 0)).toBeUndefined();
+    const over = world.addBody(box({ x: 1, y: 0, width: 2, height: 2 }));
+    expect(pickParticle(world, 0.5, 0.3, 0)).toBe(over.particles[3]);
+    const free = world.addParticle({ x: 0.6, y: 0.3 });
+    expect(pickParticle(world, 0.5, 0.3, 0.2)).toBe(free);
+  });
+
+  it('takes hold of a float by the box that is drawn', () => {
+    const world = new World();
+    const float = world.addParticle({ x: 1, y: 0 });
+    world.addForce(new Buoyancy(), []).setHull(float, { volume: 2, maxDepth: 0.5 });
+    expect(pickParticle(world, 1.9, 0.4, 0)).toBe(float);
+    expect(pickParticle(world, 2.1, 0.4, 0)).toBeUndefined();
+    float.remove();
+    expect(pickParticle(world, 1.9, 0.4, 0)).toBeUndefined();
   });
 
   it('refuses a point that is none', () => {
