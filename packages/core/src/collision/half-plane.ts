@@ -15,10 +15,10 @@ export interface HalfPlaneOptions {
 /** A floor, a wall or a ramp without end: everything behind its surface is solid. */
 export class HalfPlane implements Shape {
   readonly restitution: number;
-  readonly minX: number = -Infinity;
-  readonly minY: number = -Infinity;
-  readonly maxX: number = Infinity;
-  readonly maxY: number = Infinity;
+  readonly minX: number;
+  readonly minY: number;
+  readonly maxX: number;
+  readonly maxY: number;
   /** A point on the surface. Unit: m. */
   readonly point: Readonly<Vec2>;
   /** Unit normal out of the solid half. */
@@ -38,6 +38,11 @@ export class HalfPlane implements Shape {
     this.point = { x: point.x, y: point.y };
     this.normal = { x: normal.x / length, y: normal.y / length };
     this.restitution = restitution;
+    // Upright walls and level floors, which most are, have an end on one side: what is far in front is not asked about.
+    this.minX = this.normal.x === -1 ? point.x : -Infinity;
+    this.minY = this.normal.y === -1 ? point.y : -Infinity;
+    this.maxX = this.normal.x === 1 ? point.x : Infinity;
+    this.maxY = this.normal.y === 1 ? point.y : Infinity;
   }
 
   findSurface(x: number, y: number, reach: number, surface: SurfaceReport): void {

@@ -1,4 +1,4 @@
-import { describe } from '../math/checks.ts';
+import { describe, requireFinite, requireShare } from '../math/checks.ts';
 import type { ContactArrays } from './contact-arrays.ts';
 import type { Contacts } from './contacts.ts';
 
@@ -47,8 +47,10 @@ export class ContactBuffer implements Contacts, ContactArrays {
   }
 
   add(a: number, b: number, normalX: number, normalY: number, penetration: number, restitution: number): void {
-    this.#check(a, b, normalX, normalY, penetration, restitution);
+    this.#requireSlots(a, b);
+    const before = this.count;
     this.push(a, b, normalX, normalY, penetration, restitution);
+    if (this.count > before) this.#requireSound(before);
   }
 
   /** `add` without the checks, for our own generators. */
@@ -73,21 +75,35 @@ export class ContactBuffer implements Contacts, ContactArrays {
     return this.#linkedPairs.size > 0 && this.#linkedPairs.has(pairKey(a, b));
   }
 
-  #check(a: number, b: number, normalX: number, normalY: number, penetration: number, restitution: number): void {
-    const where = 'Contacts.add';
+  #requireSlots(a: number, b: number): void {
     if (!(Number.isInteger(a) && a >= 0 && a < this.#slotCount)) {
-      throw new RangeError(`${where}: a must be the slot of a particle; got ${describe(a)}.`);
+      throw new RangeError(`Contacts.add: a must be the slot of a particle; got ${describe(a)}.`);
     }
     if (!(Number.isInteger(b) && b >= SCENERY && b < this.#slotCount && b !== a)) {
-      throw new RangeError(`${where}: b must be the slot of another particle, or -1 for scenery; got ${describe(b)}.`);
+      throw new RangeError(
+        `Contacts.add: b must be the slot of another particle, or -1 for scenery; got ${describe(b)}.`,
+      );
     }
-    requireUnitNormal(where, normalX, normalY);
-    if (!Number.isFinite(penetration)) {
-      throw new RangeError(`${where}: penetration must be a finite number of metres; got ${describe(penetration)}.`);
+  }
+
+  /** Checks what stands in the arrays: numbers handed to a function that is not inlined would be garbage. */
+  #requireSound(c: number): void {
+    const penetration = this.penetration[c];
+    const restitution = this.restitution[c];
+    const nx = this.normalX[c];
+    const ny = this.normalY[c];
+    if (
+      Math.abs(nx * nx + ny * ny - 1) < 1e-6 &&
+      penetration - penetration === 0 &&
+      restitution >= 0 &&
+      restitution <= 1
+    ) {
+      return;
     }
-    if (!(restitution >= 0 && restitution <= 1)) {
-      throw new RangeError(`${where}: restitution must be a number from 0 to 1; got ${describe(restitution)}.`);
-    }
+    this.count--;
+    requireUnitNormal('Contacts.add', nx, ny);
+    requireFinite('Contacts.add', 'penetration', penetration, 'metres');
+    requireShare('Contacts.add', 'restitution', restitution);
   }
 
   #grow(capacity: number): void {

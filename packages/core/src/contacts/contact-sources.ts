@@ -36,8 +36,9 @@ export class ContactSources {
 
   addLink(where: string, link: Link): void {
     this.#dropDead();
-    checkedEnd(where, "the link's a", link?.a);
-    checkedEnd(where, "the link's b", link?.b);
+    this.#links.check(where, link);
+    checkedEnd(where, "the link's a", link.a);
+    checkedEnd(where, "the link's b", link.b);
     this.#links.add(where, link);
     this.#pairsAreOld = true;
   }

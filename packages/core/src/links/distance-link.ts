@@ -1,6 +1,6 @@
 import type { Contacts } from '../contacts/contacts.ts';
 import { requireNonNegative, requireOrdered, requirePositiveOrInfinite, requireShare } from '../math/checks.ts';
-import { checkedEnds, type End } from '../particles/end.ts';
+import { checkedEnds, type End, particleOf } from '../particles/end.ts';
 import { Particle } from '../particles/particle.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import type { Link } from './link.ts';
@@ -39,10 +39,20 @@ export class DistanceLink implements Link {
   readonly breakStrain: number;
   #minLength: number;
   #maxLength: number;
+  /** Slots of the particles; the second is -1 for a fixed point. */
+  readonly #i: number;
+  readonly #j: number;
+  readonly #pointX: number;
+  readonly #pointY: number;
 
   constructor(where: string, a: End, b: End, options: DistanceLinkOptions) {
     const { kind, minLength, maxLength, restitution = 0, breakForce = Infinity, breakStrain = Infinity } = options;
     [this.a, this.b] = checkedEnds(where, a, b);
+    const [first, second] = this.a instanceof Particle ? [this.a, this.b] : [this.b as Particle, this.a];
+    this.#i = first.slot;
+    this.#j = particleOf(second)?.slot ?? -1;
+    this.#pointX = second.x;
+    this.#pointY = second.y;
     requireNonNegative(where, 'minLength', minLength, 'metres');
     requirePositiveOrInfinite(where, 'maxLength', maxLength, 'metres');
     requireOrdered(where, 'length', minLength, maxLength, 'm');
@@ -100,21 +110,17 @@ export class DistanceLink implements Link {
    * offers both each time, so that it holds its length from both sides and does not vibrate.
    */
   addContacts({ x, y }: ParticleArrays, contacts: Contacts): void {
-    const { a, b } = this;
-    const first = a instanceof Particle ? a : (b as Particle);
-    const second = a instanceof Particle ? b : a;
-    const i = first.slot;
-    const j = second instanceof Particle ? second.slot : -1;
-    const dx = (j < 0 ? second.x : x[j]) - x[i];
-    const dy = (j < 0 ? second.y : y[j]) - y[i];
+    const i = this.#i;
+    const j = this.#j;
+    const dx = (j < 0 ? this.#pointX : x[j]) - x[i];
+    const dy = (j < 0 ? this.#pointY : y[j]) - y[i];
     const length = Math.sqrt(dx * dx + dy * dy);
     const nx = length === 0 ? 0 : dx / length; // coincident ends define no direction: any will do
     const ny = length === 0 ? 1 : dy / length;
-    if (length >= this.#maxLength || this.#minLength === this.#maxLength) {
-      contacts.add(i, j, nx, ny, length - this.#maxLength, this.restitution);
-    }
-    if (length <= this.#minLength || this.#minLength === this.#maxLength) {
-      contacts.add(i, j, -nx, -ny, this.#minLength - length, this.restitution);
+    const both = this.#minLength === this.#maxLength;
+    for (let side = 1; side >= -1; side -= 2) {
+      const over = side > 0 ? length - this.#maxLength : this.#minLength - length;
+      if (over >= 0 || both) contacts.add(i, j, side * nx, side * ny, over, this.restitution);
     }
   }
 }
