@@ -63,6 +63,15 @@ function navigation({ previous, next }: Neighbours): Html {
   return html`<nav aria-label="Scenes">${link(previous, 'prev', '←')}${link(next, 'next', '→')}</nav>`;
 }
 
+/** What is written on a key that prints nothing. */
+const keyNames: { readonly [key: string]: string } = {
+  ArrowLeft: '←',
+  ArrowRight: '→',
+  ArrowUp: '↑',
+  ArrowDown: '↓',
+  Enter: '↵',
+};
+
 /** What is always at hand under the scene: playback, and a button for each of the scene's own actions. */
 function transport(scene: Scene): Html {
   const { actions = [] } = scene.build(defaultValues(scene), DEFAULT_SEED);
@@ -72,7 +81,7 @@ function transport(scene: Scene): Html {
 <button type="button" id="reset" aria-keyshortcuts="r" title="From the start (r)"><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d="M8 2a6 6 0 1 1-5.7 4.1l1.7.6A4.2 4.2 0 1 0 8 3.8V6L4 3l4-3z"/></svg><span class="text">Reset</span></button>
 <span class="actions">${actions.map(
     ({ key, label, group }) =>
-      html`<button type="button" data-key="${key}" aria-keyshortcuts="${key}"${group === undefined ? '' : html` data-group="${group}"`}><kbd aria-hidden="true">${key}</kbd>${label}</button>`,
+      html`<button type="button" data-key="${key}" aria-keyshortcuts="${key}"${group === undefined ? '' : html` data-group="${group}"`}><kbd aria-hidden="true">${keyNames[key] ?? key}</kbd>${label}</button>`,
   )}</span>
 <output class="statistics" id="statistics" aria-live="off"></output>
 </div>

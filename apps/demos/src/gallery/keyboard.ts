@@ -23,14 +23,15 @@ export class Keyboard {
 
   #meaning({ key, repeat }: KeyboardEvent, target: EventTarget | undefined): (() => void) | undefined {
     const stage = this.#stage;
+    // On a button, a link or a choice the space bar and Enter have a meaning already.
+    const pressable =
+      target instanceof Element && target.closest('button, a, summary, wa-radio, [role="radio"]') !== null;
+    if (key === 'Enter' && (pressable || repeat)) return undefined;
     if (stage.setup.actions?.some((action) => action.key === key)) return () => stage.act(key);
     if (key === '.') return () => stage.step();
     if (repeat) return undefined;
     if (key === 'r') return () => stage.reset();
     if (key === '0') return () => stage.fit();
-    // On a button, a link or a choice the space bar has a meaning already.
-    const pressable =
-      target instanceof Element && target.closest('button, a, summary, wa-radio, [role="radio"]') !== null;
     if (key === ' ' && !pressable) return this.#togglePlaying;
     return undefined;
   }

@@ -88,7 +88,7 @@ export interface Beside {
 
 /** Something that the reader can do. */
 export interface Action {
-  /** One printable character, as in `KeyboardEvent.key`. */
+  /** As in `KeyboardEvent.key`: one printable character, an arrow or Enter. */
   readonly key: string;
   readonly label: string;
   /** The group of the particles that it brings forth: the button takes their colour. */
