@@ -54,7 +54,8 @@ for (const id of ids) {
     }
     const after = await read(page, ({ world }) => ({ time: world.time, steps: world.stepCount }));
     expect(after.steps).toBeGreaterThanOrEqual(before.steps);
-    expect(after.time - before.time).toBeCloseTo((after.steps - before.steps) / 60, 6);
+    const step = await read(page, ({ clock }) => clock.step);
+    expect(after.time - before.time).toBeCloseTo((after.steps - before.steps) * step, 6);
   });
 }
 
