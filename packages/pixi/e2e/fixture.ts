@@ -409,11 +409,12 @@ async function drawEverything(pixelRatio: number, dark: boolean, arrows: boolean
 }
 
 /** How the two differ where one of everything is drawn: ink and colours that the other lacks, in device pixels. */
-export async function compareEverything(pixelRatio: number): Promise<number[]> {
-  const { canvas, app } = await drawEverything(pixelRatio, false, true);
+export async function compareEverything(pixelRatio: number, dark: boolean): Promise<number[]> {
+  const { canvas, app } = await drawEverything(pixelRatio, dark, true);
   const a = pixels(canvas);
   const b = pixels(app.canvas);
   const reach = 1.5 * pixelRatio;
+  if (dark) return [edges(a, b, reach), edges(b, a, reach)]; // there the ground is ink too
   return [missing(a, b, reach), missing(b, a, reach), edges(a, b, reach), edges(b, a, reach)];
 }
 
