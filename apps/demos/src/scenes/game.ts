@@ -25,7 +25,7 @@ export const game: Scene<'level' | 'mass'> = {
     particle: { minRadius: 1 },
     groups: {
       [BALL]: { fill: accent, fadeOut: 0.6, trail: { seconds: 0.3, width: 6, alpha: 0.35 } },
-      [TARGET]: { fill: paper, stroke: series[4], strokeWidth: 4.5, minRadius: 6 },
+      [TARGET]: { fill: paper, stroke: series[4], strokeWidth: 6, minRadius: 7 },
       [WEIGHT]: { fill: series[0], stroke: ink, strokeWidth: 2 },
       [CHAIN]: { fill: series[3], minRadius: 2.5 },
       [SLING]: { fill: dark ? '#a07a52' : '#8a5a2b' },

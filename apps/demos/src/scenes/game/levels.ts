@@ -120,8 +120,13 @@ const cut: Level = {
     block(world, 9.6, 0, 10, 4.6);
     block(world, 12.2, 0, 12.6, 4.6);
     const weight = world.addParticle({ x: 11.1, y: 5, radius: 1, mass: 5, restitution: 0.1, group: WEIGHT });
-    const hook = { x: 11.1, y: 9.5 };
-    world.addBody(chain({ from: hook, to: weight, links: 6, mass: 4, radius: 0.14, group: CHAIN, breakForce: 300 }));
+    // Two pieces of chain, and between them the link that gives way.
+    const piece = { mass: 2, radius: 0.14, group: CHAIN };
+    const upper = world.addBody(
+      chain({ from: { x: 11.1, y: 9.5 }, to: { x: 11.1, y: 8 }, free: 'to', links: 2, ...piece }),
+    );
+    const lower = world.addBody(chain({ from: { x: 11.1, y: 7.25 }, to: weight, free: 'from', links: 3, ...piece }));
+    world.addLink(cable(upper.particles[1], lower.particles[0], { breakForce: 260 }));
     return { targets: [target(world, 10.55, 0.42), target(world, 11.65, 0.42)] };
   },
 };
@@ -147,7 +152,7 @@ const pond: Level = {
     const water = world.addForce(inRegion(liquid, insideBox({ minX: 7.6, maxX: 16.4, minY: 0 })), targets);
     for (const buoy of targets) {
       liquid.setHull(buoy, { volume: 0.002, maxDepth: 0.42 });
-      world.addLink(cable({ x: buoy.x, y: 0 }, buoy, { maxLength: 1.75 }));
+      world.addLink(cable({ x: buoy.x, y: 0 }, buoy, { maxLength: 1.6 }));
     }
     return { targets, water, liquid };
   },
