@@ -54,9 +54,9 @@ export class Collisions {
     }
   }
 
-  /** A mark for each disc at a place, but for those that are not hit yet. */
+  /** A mark for each disc at a place; before the hit for the first alone, and only where it does not come back the same way. */
   #marks(n: number, radius: number, filled: boolean, place: (way: Way) => Point): Guide[] {
-    const moving = this.ways.filter(({ particle }) => n > untilHit || particle.group === 0);
+    const moving = this.ways.filter(({ particle }) => n > untilHit || (particle.group === 0 && this.#rail === 0));
     return moving.map((way) => {
       const { x, y } = place(way);
       const tone = way.particle.group;

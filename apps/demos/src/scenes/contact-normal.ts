@@ -21,13 +21,12 @@ function hook(down: number): Point[] {
 
 /** Two hooks in each other. `sign` is that of the contact's normal against hat(p_a - p_b). */
 function pair(sign: 1 | -1, weight: number, restitution: number) {
-  const world = new World({ gravity: { x: 0, y: -9.81 } });
+  const world = new World();
   world.addShape(new HalfPlane({ point: { x: 0, y: floor } }));
   world.addShape(new Box({ centre: { x: 0, y: ceiling + 0.15 }, width: 1.8, height: 0.3 }));
-  const a = world.addParticle({ x: 0, y: start.a, mass: 1, radius: 0.2, damping: 0.5 });
-  const b = world.addParticle({ x: 0, y: start.b, mass: weight, radius: 0.3, damping: 0.5, group: 1 });
-  wear(world, a, hook(1), 0, false);
-  wear(world, b, hook(-1), 1, false);
+  const a = world.addParticle({ x: 0, y: start.a, mass: 1, radius: 0.2, ay: -9.81, damping: 0.5 });
+  const b = world.addParticle({ x: 0, y: start.b, mass: weight, radius: 0.3, ay: -9.81, damping: 0.5, group: 1 });
+  const follow = [wear(world, a, hook(1), 0, false), wear(world, b, hook(-1), 1, false)];
   world.addForce(spring({ x: 0, y: ceiling }, a, { stiffness: 60, restLength: 1.7, damping: 0.6 }));
   world.addContactGenerator({
     addContacts({ x, y }, contacts) {
@@ -39,7 +38,12 @@ function pair(sign: 1 | -1, weight: number, restitution: number) {
       contacts.add(a.slot, b.slot, (sign * dx) / distance, (sign * dy) / distance, distance - reach, restitution);
     },
   });
-  return { world, a, b };
+  const drop = (): void => {
+    Object.assign(a, { x: 0, y: start.a, vx: 0, vy: 0 });
+    Object.assign(b, { x: 0, y: start.b, vx: 0, vy: 0 });
+    for (const each of follow) each();
+  };
+  return { world, a, b, drop };
 }
 
 export const contactNormal: Scene<'weight' | 'restitution'> = {
@@ -67,10 +71,8 @@ export const contactNormal: Scene<'weight' | 'restitution'> = {
   build({ weight, restitution }) {
     const [wrong, right] = ([1, -1] as const).map((sign) => pair(sign, weight, restitution));
     const again = new Again([wrong.world, right.world], 5, 'd', 'Drop again', () => {
-      for (const { a, b } of [wrong, right]) {
-        Object.assign(a, { x: 0, y: start.a, vx: 0, vy: 0 });
-        Object.assign(b, { x: 0, y: start.b, vx: 0, vy: 0 });
-      }
+      wrong.drop();
+      right.drop();
     });
     return {
       world: wrong.world,

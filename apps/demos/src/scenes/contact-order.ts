@@ -4,9 +4,10 @@ import { wear } from './outline.ts';
 import type { Guide, Point, Scene, Values } from './scene.ts';
 import { wrongResolver } from './wrong-resolver.ts';
 
-const gravity = 9.81;
+/** Little, so that all can be followed. Unit: m/s². */
+const gravity = 4;
 const half = { x: 1.1, y: 0.4 };
-const drop = 1.6;
+const drop = 1.2;
 /** Half the width of each support; the block's lower corners land on their middles. */
 const top = 0.55;
 const base = -9;
@@ -24,7 +25,7 @@ const scenery = (outline: readonly Point[]): Shape & { outline: readonly Point[]
 
 /** A block over a level support and a slanting one. It cannot turn: a particle with two corners. */
 function blockOver(resolver: Resolver, { tilt, restitution }: Values<'tilt' | 'restitution'>) {
-  const world = new World({ gravity: { x: 0, y: -gravity }, resolver });
+  const world = new World({ resolver });
   const angle = (tilt * Math.PI) / 180;
   const slant = { x: -Math.sin(angle), y: Math.cos(angle) };
   const rise = top * Math.tan(angle);
@@ -39,9 +40,9 @@ function blockOver(resolver: Resolver, { tilt, restitution }: Values<'tilt' | 'r
     );
   support(-half.x, 0, 0);
   support(half.x, -rise, rise);
-  const block = world.addParticle({ x: 0, y: half.y + drop, radius: half.y, group: 1 });
+  const block = world.addParticle({ x: 0, y: half.y + drop, radius: 0.08, ay: -gravity, group: 1 });
   const corners = [-1, 1, 1, -1].map((side, n) => ({ x: side * half.x, y: n < 2 ? -half.y : half.y }));
-  wear(world, block, corners, 0);
+  const follow = wear(world, block, corners, 0);
   world.addContactGenerator({
     addContacts({ x, y }, contacts) {
       const { slot } = block;
@@ -53,7 +54,11 @@ function blockOver(resolver: Resolver, { tilt, restitution }: Values<'tilt' | 'r
       if (deep > -0.001 && Math.abs(x[slot]) < top) contacts.add(slot, -1, slant.x, slant.y, deep, restitution);
     },
   });
-  return { world, block, slant };
+  const lift = (): void => {
+    Object.assign(block, { x: 0, y: half.y + drop, vx: 0, vy: 0 });
+    follow();
+  };
+  return { world, block, slant, lift };
 }
 
 type Blocks = ReturnType<typeof blockOver>;
@@ -86,15 +91,16 @@ export const contactOrder: Scene<'tilt' | 'restitution'> = {
   poster: 0.9,
   style: ({ series, paper }) => ({
     background: paper,
-    groups: { 0: { fill: series[1] }, 1: { fill: series[1], alpha: 0 } },
+    groups: { 0: { fill: series[1] }, 1: { fill: series[1] } },
     bodies: { mark: false, fillAlpha: 0.4, stroke: null },
   }),
 
   build(values) {
     const wrong = blockOver(wrongResolver({ leastSevereFirst: true }), values);
     const right = blockOver(severity(), values);
-    const again = new Again([wrong.world, right.world], 2.5, 'd', 'Drop again', () => {
-      for (const { block } of [wrong, right]) Object.assign(block, { x: 0, y: half.y + drop, vx: 0, vy: 0 });
+    const again = new Again([wrong.world, right.world], 3, 'd', 'Drop again', () => {
+      wrong.lift();
+      right.lift();
     });
     return {
       world: wrong.world,

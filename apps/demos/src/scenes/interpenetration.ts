@@ -55,8 +55,8 @@ function marks(pairs: Pairs): Guide[] {
   return pairs.flatMap(({ a, b, mass, y, startA, startB, endA, endB }): Guide[] => {
     const tick = (x: number): Guide => ({ kind: 'curve', points: [x, y - 0.24, x, y + 0.24], tone: 'accent' });
     return [
-      { kind: 'circle', x: startA, y, radius: a.radius, opacity: 0.45 },
-      { kind: 'circle', x: startB, y, radius: b.radius, opacity: 0.45 },
+      { kind: 'circle', x: startA, y, radius: a.radius, opacity: 0.7 },
+      { kind: 'circle', x: startB, y, radius: b.radius, opacity: 0.7 },
       tick(endA),
       tick(endB),
       { kind: 'arrow', from: { x: startA, y }, to: a, tone: 'ink' },
@@ -66,7 +66,7 @@ function marks(pairs: Pairs): Guide[] {
         kind: 'label',
         x: endB,
         y: y - b.radius - 0.28,
-        text: mass === Infinity ? 'immovable' : `${mass} kg`,
+        text: mass === Infinity ? '∞' : `${mass} kg`,
         tone: 'ink',
       },
     ];

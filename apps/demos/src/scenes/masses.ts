@@ -25,7 +25,7 @@ export const masses: Scene<'ratio' | 'restitution'> = {
     ratio: { label: 'Mass ratio from row to row', unit: '×', min: 1.5, max: 3, step: 0.1, value: 2.5 },
     restitution: { label: 'Restitution', min: 0, max: 1, step: 0.05, value: 1 },
   },
-  show: { minX: -5.6, maxX: 10.4, minY: -3.9, maxY: 4.3 },
+  show: { minX: -6.6, maxX: 11.5, minY: -3.9, maxY: 4.3 },
   poster: 1.9,
   style: ({ series, paper, ink }) => ({
     background: paper,
@@ -47,11 +47,18 @@ export const masses: Scene<'ratio' | 'restitution'> = {
       { after: 2.25, rail: 0.17 },
     );
     const words = rows.flatMap(([a, b], row): Guide[] => [
-      { kind: 'label', x: -5.4, y: yOf(row), text: `${round(a)} : ${round(b)}`, tone: 'ink', align: 'left' },
-      { kind: 'label', x: 8.9, y: yOf(row), text: collisions.ways[2 * row].after.x.toFixed(2), tone: 0 },
+      { kind: 'label', x: -6.5, y: yOf(row), text: `${round(a)} : ${round(b)}`, tone: 'ink', align: 'left' },
       {
         kind: 'label',
-        x: 10.2,
+        x: 9.8,
+        y: yOf(row),
+        text: collisions.ways[2 * row].after.x.toFixed(2),
+        tone: 0,
+        align: 'right',
+      },
+      {
+        kind: 'label',
+        x: 11.4,
         y: yOf(row),
         text: collisions.ways[2 * row + 1].after.x.toFixed(2),
         tone: 1,
@@ -59,8 +66,8 @@ export const masses: Scene<'ratio' | 'restitution'> = {
       },
     ]);
     const heads: Guide[] = [
-      { kind: 'label', x: -5.4, y: 4, text: 'kg', align: 'left' },
-      { kind: 'label', x: 10.2, y: 4, text: 'm/s after', align: 'right' },
+      { kind: 'label', x: -6.5, y: 4, text: 'kg', align: 'left' },
+      { kind: 'label', x: 11.4, y: 4, text: 'm/s after', align: 'right' },
       { kind: 'curve', points: [0, -3.7, 0, 3.7], dashed: true, opacity: 0.6 },
     ];
     return {

@@ -1,4 +1,4 @@
-import { aggregate, type Body, type Effect, type End, type Link, type Particle, type World } from '@mass/core';
+import { aggregate, type End, type Link, type Particle, type World } from '@mass/core';
 import type { Point } from './scene.ts';
 
 /** A line from point to point that holds nothing: only to be seen. */
@@ -8,27 +8,41 @@ const line =
 
 /**
  * Gives a particle a shape to be seen in: points that go where it goes, as a filled outline or, open, as a line: links of
- * the kind `line-<group>`. The physics sees the particle alone.
+ * the kind `line-<group>`. The physics sees the particle alone, and a pull on a point is a pull on it. The world must have no
+ * gravity: the particle's weight is an acceleration of its own.
+ * @returns What brings the points along at once, for when the particle was put somewhere.
  */
-export function wear(world: World, wearer: Particle, points: readonly Point[], group: number, closed = true): Body {
-  const { x, y } = wearer;
-  const particles = points.map((point) => ({
-    x: x + point.x,
-    y: y + point.y,
-    mass: Infinity,
-    radius: closed ? 0 : 0.03,
-    group,
-  }));
-  const links = closed ? [] : points.slice(1).map((_, n) => ({ a: n, b: n + 1, join: line(`line-${group}`) }));
-  const body = world.addBody(aggregate({ kind: 'outline', particles, links, closed }));
-  const follow: Effect = {
-    afterStep() {
-      for (const [n, point] of body.particles.entries()) {
-        point.x = wearer.x + points[n].x;
-        point.y = wearer.y + points[n].y;
-      }
-    },
+export function wear(
+  world: World,
+  wearer: Particle,
+  points: readonly Point[],
+  group: number,
+  closed = true,
+): () => void {
+  const { x, y, mass } = wearer;
+  const body = world.addBody(
+    aggregate({
+      kind: 'outline',
+      particles: points.map((at) => ({ x: x + at.x, y: y + at.y, mass, radius: closed ? 0 : 0.03, group })),
+      links: closed ? [] : points.slice(1).map((_, n) => ({ a: n, b: n + 1, join: line(`line-${group}`) })),
+      closed,
+    }),
+  );
+  let { vx, vy } = wearer;
+  const follow = (): void => {
+    ({ vx, vy } = wearer);
+    for (const [n, point] of body.particles.entries()) {
+      Object.assign(point, { x: wearer.x + points[n].x, y: wearer.y + points[n].y, vx, vy });
+    }
   };
-  world.addEffect(follow);
-  return body;
+  world.addEffect({
+    afterStep() {
+      for (const point of body.particles) {
+        wearer.vx += point.vx - vx;
+        wearer.vy += point.vy - vy;
+      }
+      follow();
+    },
+  });
+  return follow;
 }

@@ -45,7 +45,7 @@ export const restitution: Scene<'most' | 'gravity'> = {
         ...heights.map((h): Guide => {
           return { kind: 'curve', points: [x - reach, h, x + reach, h], tone: lane, opacity: 0.75 };
         }),
-        { kind: 'label', x, y: -0.32, text: `e = ${share.toFixed(2)}`, tone: 'ink' },
+        { kind: 'label', x, y: -0.32, text: share.toFixed(2), tone: 'ink' },
       ];
     });
     let dots: Guide[] = [];
@@ -68,7 +68,7 @@ export const restitution: Scene<'most' | 'gravity'> = {
           before[lane] = ball.vy;
         }
       },
-      guides: () => [...dashes, ...dots],
+      guides: () => [{ kind: 'label', x: -5.25, y: -0.32, text: 'e', tone: 'ink' }, ...dashes, ...dots],
     };
   },
 

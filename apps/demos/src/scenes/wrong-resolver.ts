@@ -18,7 +18,7 @@ export function wrongResolver({ leastSevereFirst = false, restless = false, move
   return {
     name: 'wrong',
     step({ particles, forces, sources, contacts, integrate, gravity, time }, dt) {
-      const { count, x, y, vx, vy, inverseMass } = particles;
+      const { count, x, y, vx, vy, ax, ay, inverseMass } = particles;
       forces.apply(dt, time);
       if (!integrate(particles, gravity, dt)) return false;
       sources.gather(contacts, dt);
@@ -30,7 +30,8 @@ export function wrongResolver({ leastSevereFirst = false, restless = false, move
         uy[slot] += amount * normalY[c];
       };
 
-      const rest = restless ? 0 : 2.02 * Math.hypot(gravity.x, gravity.y) * dt;
+      // As fast as its weight can have made it, in two steps.
+      const rest = (i: number): number => 2.02 * dt * Math.hypot(gravity.x + ax[i], gravity.y + ay[i]);
       resolve(
         contacts,
         vx,
@@ -38,7 +39,7 @@ export function wrongResolver({ leastSevereFirst = false, restless = false, move
         () => 0,
         leastSevereFirst,
         (c, value) => {
-          const bounce = -value <= rest ? 0 : restitution[c];
+          const bounce = !restless && -value <= rest(a[c]) ? 0 : restitution[c];
           const J = (-(1 + bounce) * value) / (inverse(a[c]) + inverse(b[c]));
           push(vx, vy, a[c], c, J * inverse(a[c]));
           push(vx, vy, b[c], c, -J * inverse(b[c]));
