@@ -1,3 +1,4 @@
+import { DEFAULT_SEED, defaultValues } from '../src/scenes/run.ts';
 import type { Scene } from '../src/scenes/scene.ts';
 import { Html, html } from './html.ts';
 
@@ -58,7 +59,9 @@ ${page.main}
 `.text;
 }
 
-/** Width to height of what a scene shows, as CSS has it. */
-export function shapeOf({ show: { minX, maxX, minY, maxY } }: Scene): string {
-  return `${maxX - minX} / ${maxY - minY}`;
+/** Width to height of what a scene shows, all of its worlds side by side, as CSS has it. */
+export function shapeOf(scene: Scene): string {
+  const { minX, maxX, minY, maxY } = scene.show;
+  const { beside = [] } = scene.build(defaultValues(scene), DEFAULT_SEED);
+  return `${(1 + beside.length) * (maxX - minX)} / ${maxY - minY}`;
 }
