@@ -3,12 +3,15 @@ import { browserArgs } from './scripts/browser.ts';
 
 // The global setup builds the gallery, serves it and finds the browser; workers read both from the environment.
 const { MASS_GALLERY_URL: baseURL, MASS_BROWSER: executablePath } = process.env;
+// Each run has a folder of its own for what failed: the next one, or one at the same time, does not clear it away.
+process.env.MASS_RUN ??= `${process.pid}`;
 
 export default defineConfig({
   testDir: '.',
   testMatch: '**/*.e2e.ts',
   globalSetup: './scripts/playwright-setup.ts',
-  outputDir: './test-results',
+  outputDir: `./test-results/${process.env.MASS_RUN}`,
+  preserveOutput: 'failures-only',
   fullyParallel: true,
   forbidOnly: Boolean(process.env.CI),
   retries: 0,

@@ -64,10 +64,10 @@ export async function buildAll(): Promise<string> {
   return gallery;
 }
 
-/** Builds the gallery. Returns the folder of its static files. */
-export async function buildGallery(): Promise<string> {
-  const demos: { build(): Promise<string> } = await import('../apps/demos/build.ts');
-  return demos.build();
+/** Builds the gallery, into `apps/demos/dist` unless another folder is given. Returns the folder of its static files. */
+export async function buildGallery(target?: string): Promise<string> {
+  const demos: { build(target?: string): Promise<string> } = await import('../apps/demos/build.ts');
+  return demos.build(target);
 }
 
 if (isMain(import.meta.url)) {

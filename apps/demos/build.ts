@@ -1,6 +1,6 @@
 // Builds the gallery: static files in `dist` that work from any sub-path. `node build.ts` from this folder.
-import { mkdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
-import { dirname, join } from 'node:path';
+import { cpSync, mkdirSync, mkdtempSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+import { dirname, join, relative, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { build as bundle, type Metafile } from 'esbuild';
 import type { Assets } from './pages/layout.ts';
@@ -10,8 +10,6 @@ import { scenes } from './src/scenes/index.ts';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const dist = join(here, 'dist');
-// Everything is made here first: a build that fails leaves the last one as it was, and a server never sees half of one.
-const next = 'node_modules/.gallery';
 
 /** The entries of the bundle: what a page loads by name. Every other chunk is loaded by these. */
 const entries = {
@@ -21,9 +19,25 @@ const entries = {
   formula: 'src/styles/formula.css',
 };
 
-/** Builds the gallery. Returns the folder of its static files. */
-export async function build(): Promise<string> {
-  rmSync(join(here, next), { recursive: true, force: true });
+/**
+ * Builds the gallery into a folder of its own, `dist` unless it is given, and returns its path. Everything is made elsewhere
+ * first: a build that fails leaves the last one as it was, a server never sees half of one, and two builds at once do not meet.
+ */
+export async function build(target: string = dist): Promise<string> {
+  mkdirSync(join(here, 'node_modules'), { recursive: true });
+  const folder = mkdtempSync(join(here, 'node_modules', '.gallery-'));
+  const next = join(folder, 'next');
+  try {
+    await buildInto(next);
+    rmSync(target, { recursive: true, force: true });
+    move(next, target);
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+  return target;
+}
+
+async function buildInto(next: string): Promise<void> {
   const { metafile } = await bundle({
     absWorkingDir: here,
     entryPoints: entries,
@@ -43,22 +57,36 @@ export async function build(): Promise<string> {
     logLevel: 'warning',
   });
 
-  write('index.html', listPage(scenes, assetsOf(metafile, 'list', '')));
+  const write = (file: string, text: string): void => {
+    const path = join(next, file);
+    mkdirSync(dirname(path), { recursive: true });
+    writeFileSync(path, text);
+  };
+  const assetsOf = (script: 'list' | 'scene', toRoot: string): Assets => findAssets(metafile, next, script, toRoot);
+  write('index.html', listPage(scenes, assetsOf('list', '')));
   for (const [index, scene] of scenes.entries()) {
     const neighbours = { previous: scenes[index - 1], next: scenes[index + 1] };
-    const page = await scenePage(scene, neighbours, assetsOf(metafile, 'scene', '../../'));
+    const page = await scenePage(scene, neighbours, assetsOf('scene', '../../'));
     write(`scenes/${scene.id}/index.html`, page);
   }
   // GitHub Pages hides files whose name begins with an underscore unless told not to; other hosts do not mind the file.
   write('.nojekyll', '');
-  rmSync(dist, { recursive: true, force: true });
-  renameSync(join(here, next), dist);
-  return dist;
 }
 
-/** The addresses of what a page loads, seen from the page: `toRoot` leads from it to `dist`. */
-function assetsOf(metafile: Metafile, script: 'list' | 'scene', toRoot: string): Assets {
-  const address = (output: string): string => `${toRoot}${output.slice(next.length + 1)}`;
+/** Moves a folder, to another disk as well. */
+function move(from: string, to: string): void {
+  try {
+    renameSync(from, to);
+  } catch (error) {
+    if ((error as NodeJS.ErrnoException).code !== 'EXDEV') throw error;
+    cpSync(from, to, { recursive: true });
+  }
+}
+
+/** The addresses of what a page loads, seen from the page: `toRoot` leads from it to the root of the gallery. */
+function findAssets(metafile: Metafile, built: string, script: 'list' | 'scene', toRoot: string): Assets {
+  const address = (output: string): string =>
+    `${toRoot}${relative(built, resolve(here, output)).replaceAll('\\', '/')}`;
   const outputOf = (entry: string): string => {
     const found = Object.keys(metafile.outputs).find((name) => metafile.outputs[name].entryPoint === entry);
     if (!found) throw new Error(`build: ${entry} must have an output; there is none.`);
@@ -81,12 +109,6 @@ function assetsOf(metafile: Metafile, script: 'list' | 'scene', toRoot: string):
     style: address(outputOf(entries.style)),
     formulaStyle: address(outputOf(entries.formula)),
   };
-}
-
-function write(file: string, text: string): void {
-  const path = join(here, next, file);
-  mkdirSync(dirname(path), { recursive: true });
-  writeFileSync(path, text);
 }
 
 if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href) {
