@@ -41,7 +41,7 @@ export class PlainSeverity implements Resolver {
     for (let c = 0; c < contacts.count; c++) {
       const [a, b, nx, ny] = [contacts.a[c], contacts.b[c], contacts.normalX[c], contacts.normalY[c]];
       const builtUp = (i: number) => (vx[i] - before.vx[i]) * nx + (vy[i] - before.vy[i]) * ny;
-      const resting = 2.02 * (Math.max(0, -builtUp(a)) + (b === SCENERY ? 0 : Math.max(0, builtUp(b))));
+      const resting = 4.04 * (Math.max(0, -builtUp(a)) + (b === SCENERY ? 0 : Math.max(0, builtUp(b))));
       const [penetration, restitution] = [contacts.penetration[c], contacts.restitution[c]];
       list.push({ a, b, nx, ny, penetration, restitution, resting, impulse: 0 });
     }
