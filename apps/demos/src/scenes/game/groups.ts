@@ -1,8 +1,8 @@
 /** What the particles of the game are: a style colours them by it, the rules ask for it. */
 export const BALL = 1;
 export const TARGET = 2;
-export const WEIGHT = 3;
-export const CHAIN = 4;
+export const CHAIN = 3;
+export const WEIGHT = 4;
 export const SLING = 5;
 export const DUST = 6;
 export const BURST = 11;

@@ -245,7 +245,7 @@ export class Play {
     const { x, y } = target;
     this.#score += HIT_POINTS;
     this.#won += HIT_POINTS;
-    this.prizes = [...this.prizes, { x, y, points: HIT_POINTS, time: this.world.time }];
+    this.#award(x, y);
     this.#sparks.launch(BURST, { x, y, vx: target.vx * 0.3, vy: Math.max(0, target.vy * 0.3) });
     target.remove();
     if (this.#targets.size > 0) return;
@@ -253,6 +253,14 @@ export class Play {
     this.#won += SPARED_POINTS * this.throwsLeft;
     this.#path = [];
     this.#enter('won');
+  }
+
+  /** Points made at nearly the same time and place are one prize: they can be read. */
+  #award(x: number, y: number): void {
+    const { time } = this.world;
+    const near = this.prizes.find((each) => time - each.time < 0.7 && Math.abs(each.x - x) < 3);
+    const points = HIT_POINTS + (near?.points ?? 0);
+    this.prizes = [...this.prizes.filter((each) => each !== near), { x: near?.x ?? x, y: near?.y ?? y, points, time }];
   }
 
   #splash(): void {

@@ -25,8 +25,8 @@ export class Player implements Pointer {
   constructor(play: Play) {
     this.#play = play;
     this.actions = [
-      { key: 'ArrowLeft', label: 'Higher', run: () => this.#turn(COS, -SIN) },
-      { key: 'ArrowRight', label: 'Lower', run: () => this.#turn(COS, SIN) },
+      { key: 'ArrowLeft', label: 'Higher', run: () => this.#turn(COS, SIN) },
+      { key: 'ArrowRight', label: 'Lower', run: () => this.#turn(COS, -SIN) },
       { key: 'ArrowUp', label: 'Stronger', run: () => this.#turn(1.05, 0) },
       { key: 'ArrowDown', label: 'Weaker', run: () => this.#turn(1 / 1.05, 0) },
       { key: 'Enter', label: 'Throw', run: () => this.#throw() },
@@ -110,7 +110,10 @@ export class Player implements Pointer {
     const play = this.#play;
     if (play.phase === 'lost' || (play.phase === 'won' && play.elapsed > 6)) play.restart();
     if (play.phase !== 'aim') return;
-    const { x, y, after } = play.level.solution[play.level.throws - play.throwsLeft] ?? play.level.solution[0];
+    const thrown = play.level.throws - play.throwsLeft;
+    const { solution } = play.level;
+    const { x, y, after: soon } = solution[thrown % solution.length];
+    const after = thrown < solution.length ? soon : soon + 3; // what is falling may fall
     const share = Math.max(0, Math.min(1, (play.elapsed - after + 0.9) / 0.7));
     const eased = share * share * (3 - 2 * share);
     if (eased > 0) play.aim(x * eased, y * eased, this.#dt);

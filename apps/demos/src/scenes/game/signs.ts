@@ -12,7 +12,7 @@ export const DOT = 0.12;
 /** What is written and drawn over the world: where the ball goes, what was won, what to do. */
 export function signs(play: Play, plays: boolean): Guide[] {
   const { level, number } = play;
-  const hint = plays ? level.hint : 'It shows how. Pull the ball back to play.';
+  const hint = plays ? level.hint : 'Watch, or pull the ball back and play.';
   return [
     {
       kind: 'label',
