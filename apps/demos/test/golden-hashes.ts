@@ -9,6 +9,7 @@ export const goldenHashes: { readonly [id: string]: string } = {
   'contact-order': '0f5173ec 2e9f94c1',
   fireworks: 'c55b8772',
   'force-generators': 'ebdf6886',
+  game: 'edc7f639',
   'glancing-masses': '0ba5e970',
   interpenetration: '134fe643 3c1a2ee9',
   masses: 'e7fb1c1d',

@@ -7,6 +7,7 @@ import { contactNormal } from './contact-normal.ts';
 import { contactOrder } from './contact-order.ts';
 import { fireworks } from './fireworks.ts';
 import { forceGenerators } from './force-generators.ts';
+import { game } from './game.ts';
 import { glancingMasses } from './glancing-masses.ts';
 import { interpenetration } from './interpenetration.ts';
 import { masses } from './masses.ts';
@@ -38,6 +39,7 @@ export const scenes: readonly Scene[] = [
   restitution,
   masses,
   glancingMasses,
+  game,
 ];
 
 /** The scene of an id; an error says which there are. */
