@@ -58,7 +58,7 @@ export const contactNormal: Scene<'weight' | 'restitution'> = {
     weight: { label: 'Lower weight', unit: 'kg', min: 0.5, max: 3, step: 0.1, value: 1.5 },
     restitution: { label: 'Restitution', min: 0, max: 0.9, step: 0.05, value: 0.3 },
   },
-  show: { minX: -2.9, maxX: 2.9, minY: -3.5, maxY: 4.6 },
+  show: { minX: -2.9, maxX: 2.9, minY: -3.5, maxY: 5.1 },
   draggable: true,
   poster: 0.9,
   style: ({ series, paper }) => ({

@@ -32,7 +32,7 @@ export const restingContact: Scene<'frame'> = {
   parameters: {
     frame: { label: 'The long frame', unit: 's', min: 0.05, max: 0.5, step: 0.01, value: 0.4, live: true },
   },
-  show: { minX: -1, maxX: 1, minY: -0.25, maxY: 1.35 },
+  show: { minX: -1, maxX: 1, minY: -0.25, maxY: 1.45 },
   step: 1 / 240,
   draggable: true,
   poster: 1.3,
@@ -45,51 +45,42 @@ export const restingContact: Scene<'frame'> = {
     const wrong = ballsAtRest(wrongResolver({ restless: true }));
     const right = ballsAtRest(severity());
     const worlds = [wrong.world, right.world];
-    let pressed = false;
+    const inHand = (): boolean => worlds.some(({ forces }) => forces.length > 0);
+    let asked = false;
     let last = { time: -Infinity, frame: 0 };
     function longFrame(): void {
+      if (inHand()) return; // the hand is a spring, and such a frame would be too long for it
       for (const world of worlds) world.step(values.frame);
       last = { time: right.world.time, frame: values.frame };
     }
+    const words = restitutions.map((restitution, lane): Guide => {
+      return { kind: 'label', x: xOf(lane), y: -0.12, text: `${restitution}`, tone: 'ink' };
+    });
     const marks = (): Guide[] => {
       const age = right.world.time - last.time;
-      return restitutions
-        .flatMap((restitution, lane): Guide[] => {
+      const text = `a frame of ${last.frame} s`;
+      return [
+        { kind: 'label', x: -0.92, y: -0.12, text: 'e', tone: 'ink' },
+        ...words,
+        ...restitutions.map((restitution, lane): Guide => {
           const y = 2 * radius + jump(restitution, values.frame);
-          const label: Guide = {
-            kind: 'label',
-            x: xOf(lane),
-            y: -0.12,
-            text: `${lane === 0 ? 'e = ' : ''}${restitution}`,
-            tone: 'ink',
-          };
-          return [
-            { kind: 'curve', points: [xOf(lane) - radius, y, xOf(lane) + radius, y], dashed: true, tone: lane },
-            label,
-          ];
-        })
-        .concat(
-          age < 1
-            ? [{ kind: 'label', x: 0, y: 1.2, text: `a frame of ${last.frame} s`, tone: 'accent', opacity: 1 - age }]
-            : [],
-        );
+          return { kind: 'curve', points: [xOf(lane) - radius, y, xOf(lane) + radius, y], dashed: true, tone: lane };
+        }),
+        { kind: 'label', x: 0, y: 1.18, text: age < 1 ? text : '', tone: 'accent', opacity: Math.max(0, 1 - age) },
+      ];
+    };
+    const act = (): void => {
+      asked = true;
+      longFrame();
     };
     return {
       world: wrong.world,
       label: 'Without the rule',
       beside: [{ world: right.world, label: 'With it', guides: marks }],
-      actions: [
-        {
-          key: 'l',
-          label: 'A long frame',
-          run() {
-            pressed = true;
-            longFrame();
-          },
-        },
-      ],
+      actions: [{ key: 'l', label: 'A long frame', run: act }],
       beforeStep() {
-        if (!pressed && right.world.stepCount % 720 === 120) longFrame();
+        // Until somebody asks for one, there is a long frame now and then.
+        if (!asked && right.world.stepCount % 720 === 120) longFrame();
       },
       guides: marks,
     };
