@@ -1,7 +1,6 @@
-import type { Particle } from '@mass/core';
+import { type Particle, PointerSpring, type World } from '@mass/core';
 import { pickParticle } from '@mass/core/view';
 import type { Guide, Point } from '../scenes/scene.ts';
-import { Grab } from './grab.ts';
 import type { Pane } from './pane.ts';
 import type { Stage } from './stage.ts';
 
@@ -13,10 +12,18 @@ const TAP = 6;
 
 /** What one pointer is doing. */
 type Gesture =
-  | { readonly kind: 'grab'; readonly particle: Particle; readonly grab: Grab; readonly pane: Pane }
+  | { readonly kind: 'grab'; readonly hold: Hold }
   | { readonly kind: 'scene' }
   | { readonly kind: 'pan' }
   | { readonly kind: 'tap'; readonly x: number; readonly y: number };
+
+/** A particle in the hand, and how far from its centre the pointer took it: it is dragged by that place, without a jerk. */
+interface Hold {
+  readonly pane: Pane;
+  readonly world: World;
+  readonly spring: PointerSpring;
+  readonly offset: Point;
+}
 
 /**
  * The reader's hand on a stage: takes hold of particles, taps, pans, zooms, by mouse, pen and touch. It leaves the page its
@@ -29,7 +36,7 @@ export class Hand {
 
   constructor(stage: Stage) {
     this.#stage = stage;
-    stage.extraGuides = () => this.#guides();
+    stage.extraGuides = (pane) => this.#guides(pane);
     for (const pane of stage.panes) this.#listen(pane);
   }
 
@@ -63,11 +70,12 @@ export class Hand {
     if (this.#touches.size > 1) return undefined;
     if (event.pointerType === 'mouse' && (event.button !== 0 || event.shiftKey)) return { kind: 'pan' };
     const particle = this.#pick(pane, event, at);
-    if (particle) {
-      const grab = pane.world.addForce(new Grab(at.x, at.y), [particle]);
-      return { kind: 'grab', particle, grab, pane };
-    }
-    if (this.#stage.setup.pointer?.down(at)) return { kind: 'scene' };
+    if (particle) return { kind: 'grab', hold: take(pane, particle, at) };
+    let taken = false;
+    this.#stage.attempt(() => {
+      taken = this.#stage.setup.pointer?.down(at) ?? false;
+    });
+    if (taken) return { kind: 'scene' };
     return { kind: 'tap', ...screenPoint(pane, event) };
   }
 
@@ -82,11 +90,10 @@ export class Hand {
     const at = worldPoint(pane, event);
     switch (gesture?.kind) {
       case 'grab':
-        gesture.grab.x = at.x;
-        gesture.grab.y = at.y;
+        gesture.hold.spring.moveTo(at.x + gesture.hold.offset.x, at.y + gesture.hold.offset.y);
         break;
       case 'scene':
-        this.#stage.setup.pointer?.move?.(at);
+        this.#stage.attempt(() => this.#stage.setup.pointer?.move?.(at));
         break;
       case 'pan':
         this.#stage.moveCameras((camera) => camera.pan(event.movementX, event.movementY));
@@ -116,8 +123,7 @@ export class Hand {
   #end(pane: Pane, pointer: number, gesture: Gesture): void {
     this.#gestures.delete(pointer);
     pane.element.classList.remove('grabbing');
-    // A reset may have taken the world away meanwhile.
-    if (gesture.kind === 'grab' && gesture.particle.isIn(pane.world.particles)) pane.world.removeForce(gesture.grab);
+    if (gesture.kind === 'grab') gesture.hold.world.removeForce(gesture.hold.spring);
     this.#stage.invalidate();
   }
 
@@ -159,15 +165,27 @@ export class Hand {
     return pickParticle(pane.world, at.x, at.y, reach / pane.camera.pixelsPerMetre);
   }
 
-  #guides(): readonly Guide[] {
+  /** A line from where each held particle was taken to the pointer. */
+  #guides(pane: Pane): readonly Guide[] {
     const guides: Guide[] = [];
     for (const gesture of this.#gestures.values()) {
-      if (gesture.kind !== 'grab' || !gesture.particle.isIn(gesture.pane.world.particles)) continue;
-      const { particle, grab } = gesture;
-      guides.push({ kind: 'curve', points: [particle.x, particle.y, grab.x, grab.y], tone: 'accent' });
+      // A reset takes the world away, and a scene may take the particle.
+      if (gesture.kind !== 'grab' || gesture.hold.pane !== pane || gesture.hold.world !== pane.world) continue;
+      const { spring, offset } = gesture.hold;
+      if (!spring.held) continue;
+      const { x, y } = spring.held;
+      const points = [x - offset.x, y - offset.y, spring.x - offset.x, spring.y - offset.y];
+      guides.push({ kind: 'curve', points, tone: 'accent' });
     }
     return guides;
   }
+}
+
+function take(pane: Pane, particle: Particle, at: Point): Hold {
+  const { world } = pane;
+  const spring = world.addForce(new PointerSpring());
+  spring.grab(particle);
+  return { pane, world, spring, offset: { x: particle.x - at.x, y: particle.y - at.y } };
 }
 
 function screenPoint({ element }: Pane, { clientX, clientY }: { clientX: number; clientY: number }): Point {

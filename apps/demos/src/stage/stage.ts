@@ -60,8 +60,8 @@ export class Stage {
   #lastTime = Number.NaN;
   /** Where between the last two steps to draw: the last one itself, unless the stage plays. */
   #alpha = 1;
-  /** Guides of whoever else draws over the picture: the reader's hand. */
-  extraGuides: () => readonly Guide[] = () => [];
+  /** Guides of whoever else draws over a picture: the reader's hand. */
+  extraGuides: (pane: Pane) => readonly Guide[] = () => [];
 
   /** Builds the scene into `host`; it is drawn by Canvas 2D as soon as it is laid out, and stands still until `play`. */
   constructor(host: HTMLElement, options: StageOptions) {
@@ -292,8 +292,8 @@ export class Stage {
     const textSize = this.#panes[0].camera.width < 560 ? 10.5 : 13;
     const ink = { palette: this.#palette, style: this.#style, textSize };
     for (const [index, { guides }] of this.#worlds().entries()) {
-      const own = guides?.() ?? [];
-      this.#panes[index].draw(this.#alpha, index === 0 ? [...own, ...this.extraGuides()] : own, ink);
+      const pane = this.#panes[index];
+      pane.draw(this.#alpha, [...(guides?.() ?? []), ...this.extraGuides(pane)], ink);
     }
   }
 
