@@ -1,13 +1,13 @@
-// Type-checks every project of the workspace, each under its own limits: the core without DOM and Node types, and so on.
+// Type-checks every project of the workspace, each under its own limits: the core and the scenes without DOM and Node types, and so on.
 import { existsSync, globSync } from 'node:fs';
-import { dirname, join, relative } from 'node:path';
+import { dirname, join, relative, sep } from 'node:path';
 import { isMain, root, runBin } from './run.ts';
 
 /** Runs tsc on the root project and on each package and application that has source. Returns whether all passed. */
 export async function checkTypes(): Promise<boolean> {
-  const projects = globSync('{packages,apps}/*/tsconfig.json', { cwd: root })
+  const projects = globSync(['{packages,apps}/*/tsconfig.json', 'apps/*/src/*/tsconfig.json'], { cwd: root })
     .map((file) => join(root, file))
-    .filter((file) => existsSync(join(dirname(file), 'src')));
+    .filter((file) => file.includes(`${sep}src${sep}`) || existsSync(join(dirname(file), 'src')));
   projects.unshift(join(root, 'tsconfig.json'));
 
   const results = await Promise.all(

@@ -1,5 +1,5 @@
 // The rules that keep the layers apart and the arithmetic exact are only worth something if they fail when they should.
-import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { afterAll, beforeAll, expect, it } from 'vitest';
@@ -101,4 +101,39 @@ it.each([
 ])('%s cannot import %s', async (file, specifier) => {
   const output = await lint({ [file]: `import { something } from '${specifier}';\nexport const other = something;\n` });
   expect(output).toContain('lint/style/noRestrictedImports');
+});
+
+it.each([
+  ["import { CanvasRenderer } from '@mass/canvas2d';\nexport const r = CanvasRenderer;\n", 'noRestrictedImports'],
+  ["import { Stage } from '../stage/stage.ts';\nexport const s = Stage;\n", 'noRestrictedImports'],
+  ['export const x = Math.random();\n', 'noJsRestrictedProperties'],
+  ['export const now = Date.now();\n', 'noRestrictedGlobals'],
+])('a scene knows the core alone: not %j', async (source, rule) => {
+  expect(await lint({ 'apps/demos/src/scenes/worldly.ts': source })).toContain(rule);
+});
+
+it('a scene may use the core, and what other scenes share', async () => {
+  const output = await lint({
+    'apps/demos/src/scenes/game/part.ts':
+      "import { World } from '@mass/core';\nimport type { Point } from '../scene.ts';\nexport const f = (at: Point): World => new World({ gravity: at });\n",
+  });
+  expect(output).not.toContain('━');
+});
+
+it('a scene that touches the page does not type-check', async () => {
+  const project = JSON.parse(
+    readFileSync(join(root, 'apps/demos/src/scenes/tsconfig.json'), 'utf8').replace(/^\s*\/\/.*$/gm, ''),
+  );
+  const folder = mkdtempSync(join(root, 'apps/demos/node_modules/.scenes-'));
+  try {
+    const { compilerOptions } = project;
+    const file = { extends: join(root, 'tsconfig.base.json'), compilerOptions, files: ['scene.ts'] };
+    writeFileSync(join(folder, 'tsconfig.json'), JSON.stringify(file));
+    writeFileSync(join(folder, 'scene.ts'), 'export const title: string = document.title;\n');
+    const { code, output } = await runBin('typescript', ['-p', folder], { bin: 'tsc', quiet: true });
+    expect(output).toContain("Cannot find name 'document'");
+    expect(code).not.toBe(0);
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
 });
