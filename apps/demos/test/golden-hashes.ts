@@ -5,7 +5,7 @@ export const goldenHashes: { readonly [id: string]: string } = {
   'buoyancy-masses': '9d8ee06b',
   'buoyancy-volumes': 'b4740f6f',
   'buoyancy-waves': '6db79583',
-  'contact-normal': '3b7c80cb 28b772c6',
+  'contact-normal': '3b7c80cb a233f08e',
   'contact-order': '0f5173ec 2e9f94c1',
   fireworks: 'c55b8772',
   'force-generators': 'ebdf6886',
