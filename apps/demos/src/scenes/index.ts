@@ -1,8 +1,12 @@
+import { aggregatesSquares } from './aggregates-squares.ts';
+import { aggregatesTriangles } from './aggregates-triangles.ts';
 import { buoyancyExplained } from './buoyancy-explained.ts';
 import { buoyancyLiquids } from './buoyancy-liquids.ts';
 import { buoyancyMasses } from './buoyancy-masses.ts';
 import { buoyancyVolumes } from './buoyancy-volumes.ts';
 import { buoyancyWaves } from './buoyancy-waves.ts';
+import { cablesHanging } from './cables-hanging.ts';
+import { cablesLinked } from './cables-linked.ts';
 import { contactNormal } from './contact-normal.ts';
 import { contactOrder } from './contact-order.ts';
 import { fireworks } from './fireworks.ts';
@@ -11,9 +15,13 @@ import { game } from './game.ts';
 import { glancingMasses } from './glancing-masses.ts';
 import { interpenetration } from './interpenetration.ts';
 import { masses } from './masses.ts';
+import { newtonsCradle } from './newtons-cradle.ts';
+import { pendulum } from './pendulum.ts';
 import { projectiles } from './projectiles.ts';
 import { restingContact } from './resting-contact.ts';
 import { restitution } from './restitution.ts';
+import { rodsAndCables } from './rods-and-cables.ts';
+import { rods } from './rods.ts';
 import type { Scene } from './scene.ts';
 import { springsAmplitude } from './springs-amplitude.ts';
 import { springsPeriod } from './springs-period.ts';
@@ -39,7 +47,15 @@ export const scenes: readonly Scene[] = [
   restitution,
   masses,
   glancingMasses,
+  cablesHanging,
+  cablesLinked,
+  rods,
+  pendulum,
+  rodsAndCables,
+  aggregatesSquares,
+  aggregatesTriangles,
   game,
+  newtonsCradle,
 ];
 
 /** The scene of an id; an error says which there are. */
