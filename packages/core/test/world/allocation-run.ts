@@ -4,7 +4,21 @@
  * allocated. Prints one line of JSON.
  */
 import { getHeapStatistics } from 'node:v8';
-import { Drag, Fireworks, FixedTimestep, type ForceGenerator, forEachParticle, World } from '@mass/core';
+import {
+  Box,
+  cable,
+  DiscContacts,
+  Drag,
+  type End,
+  Fireworks,
+  FixedTimestep,
+  type ForceGenerator,
+  forEachParticle,
+  HalfPlane,
+  rod,
+  Segment,
+  World,
+} from '@mass/core';
 
 const COUNT = 10_000;
 const STEPS = 1000;
@@ -44,6 +58,26 @@ const scenes: Record<string, () => () => void> = {
     const clock = new FixedTimestep();
     const takeStep = (dt: number) => world.step(dt);
     return () => void clock.advance(1 / 60, takeStep);
+  },
+  links() {
+    const world = new World({ gravity: { x: 0, y: -9.81 } });
+    let previous: End = { x: 0, y: 0 };
+    for (let i = 1; i <= 100; i++) {
+      const bead = world.addParticle({ x: i * 0.1, y: 0 });
+      world.addLink(i % 2 === 0 ? rod(previous, bead) : cable(previous, bead));
+      previous = bead;
+    }
+    return () => world.step(1 / 60);
+  },
+  contacts() {
+    const world = new World({ gravity: { x: 0, y: -9.81 } });
+    world.addShape(new HalfPlane());
+    world.addShape(new Box({ centre: { x: 3, y: 1 }, width: 1, height: 1 }));
+    world.addShape(new Segment({ a: { x: 5, y: 1 }, b: { x: 7, y: 1 } }));
+    world.addContactGenerator(new DiscContacts());
+    for (let i = 0; i < 200; i++) world.addParticle({ x: (i % 20) * 0.5, y: 3 + i * 0.1, radius: 0.1 });
+    world.on('contactBegin', () => {});
+    return () => world.step(1 / 60);
   },
   fireworks() {
     const still = { minVelocity: { x: -9, y: -9 }, maxVelocity: { x: 9, y: 9 }, damping: 0.5 };

@@ -32,6 +32,15 @@ describe('after warm-up', () => {
     expect(bufferBytes).toBe(0);
   });
 
+  it.each([
+    ['links', '200 contacts of links'],
+    ['contacts', 'some 250 contacts of discs and shapes, with a listener'],
+  ])('[W9] a contact costs a few boxed numbers a step and no object: %s, %s', { timeout: 120_000 }, async (scene) => {
+    const { bytesPerStep, bufferBytes } = await measure(scene);
+    expect(bytesPerStep).toBeLessThan(200 * 64);
+    expect(bufferBytes).toBe(0);
+  });
+
   it('[W9] fireworks that burst all the time allocate a few boxed numbers for each spark that is born', {
     timeout: 120_000,
   }, async () => {
