@@ -38,6 +38,7 @@ export const game: Scene<'level' | 'mass'> = {
     },
     links: { rod: { color: quiet, width: 2.5 }, cable: { color: series[3], width: 2 } },
     bungees: { color: accent, width: 4, alpha: 0.85 },
+    pins: { radius: 4 },
     bodies: { mark: false, fillAlpha: 1, strokeWidth: 0 },
     liquids: { hulls: false },
   }),
