@@ -17,7 +17,7 @@ export class Boxes {
   begin(flight: Flight): void {
     const { capacity, count } = flight.particles;
     if (this.minX.length !== capacity) this.#resize(capacity);
-    for (let i = 0; i < count; i++) this.update(flight, i, 0);
+    for (let i = 0; i < count; i++) this.update(flight, i, flight.time[i]);
   }
 
   /**

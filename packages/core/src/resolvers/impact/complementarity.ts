@@ -4,7 +4,7 @@ import { SCENERY } from '../../contacts/contact-buffer.ts';
 const TOLERANCE = 1e-13;
 
 /** Most sweeps over the touches. */
-const MOST_SWEEPS = 400;
+const MOST_SWEEPS = 200;
 
 /** Pairs of particles, or of a particle and `SCENERY`, with a unit normal towards the first. */
 export interface Normals {

@@ -44,9 +44,11 @@ export class Corrections {
 
   /**
    * Lists first the contacts of links and of a game's own generators, then what touches, then what touched earlier in the
-   * step; puts right the first two. Reads the touches. Writes the contacts, x, y, vx, vy.
+   * step; puts right the first two.
+   * @param crowded - Whether slow touches had to wait for the end of the step.
+   * Reads the touches. Writes the contacts, x, y, vx, vy.
    */
-  apply({ particles, sources, contacts }: Simulation, dt: number): void {
+  apply({ particles, sources, contacts }: Simulation, dt: number, crowded: boolean): void {
     this.#measure(particles, sources);
     contacts.clear(particles.count, sources.linkedPairs());
     gatherOthers(particles, sources, contacts, dt);
@@ -55,7 +57,7 @@ export class Corrections {
     const together = contacts.count;
     this.#report(particles, sources, contacts, false);
     this.#reserve(contacts.count);
-    if (others > 0) this.#still(particles, contacts, together, dt);
+    if (others > 0 || crowded) this.#still(particles, contacts, together, dt, crowded);
     this.#separate(particles, contacts, others);
     for (let t = 0; t < this.#touches.count; t++) {
       const c = this.#contact[t];
@@ -102,7 +104,13 @@ export class Corrections {
   }
 
   /** Each contact that closes opens as its restitution says, or is still where it rests. Writes vx, vy and impulses. */
-  #still({ vx, vy, inverseMass }: ParticleStore, contacts: ContactBuffer, count: number, dt: number): void {
+  #still(
+    { vx, vy, inverseMass }: ParticleStore,
+    contacts: ContactBuffer,
+    count: number,
+    dt: number,
+    crowded: boolean,
+  ): void {
     const { a, b, normalX, normalY, restitution, impulse } = contacts;
     const { freeX, freeY } = this.#flight;
     for (let c = 0; c < count; c++) {
@@ -116,6 +124,7 @@ export class Corrections {
         velocity -= vx[j] * nx + vy[j] * ny;
         slowest += Math.max(0, freeX[j] * nx + freeY[j] * ny);
       }
+      if (crowded) slowest = Math.max(slowest, this.#flight.stepSpeed(i) / dt);
       this.#bias[c] = -velocity > slowest * dt * RESTING_SLACK ? restitution[c] * velocity : 0;
     }
     this.#velocity.x = vx;

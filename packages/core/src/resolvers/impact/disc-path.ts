@@ -1,13 +1,14 @@
 import { firstTouch, touchLevel } from './first-touch.ts';
 import type { Flight } from './flight.ts';
 import type { GapPath } from './gap-path.ts';
-import { allowanceOf, slackOf } from './slack.ts';
+import { Tolerance } from './tolerance.ts';
 
 /** Two discs on their ways. */
 export class DiscPath implements GapPath {
   gap = 0;
   rate = 0;
   readonly #flight: Flight;
+  readonly #tolerance = new Tolerance();
   #reach = 0;
   #x = 0;
   #y = 0;
@@ -22,15 +23,18 @@ export class DiscPath implements GapPath {
 
   /** The time from `now` at which two discs touch within the step, or `Infinity`. Unit: s. */
   findTouch(i: number, j: number, now: number): number {
+    const flight = this.#flight;
+    const tolerance = this.#tolerance;
+    const { particles, rests, yields } = flight;
+    const smaller = particles.radius[i] < particles.radius[j] ? i : j;
     this.#start(i, j, now);
-    const { radius } = this.#flight.particles;
-    const duration = this.#flight.duration - now;
-    const slack = slackOf(Math.min(radius[i], radius[j]));
-    const allowance = allowanceOf(slack, Math.max(this.#flight.rests[i], this.#flight.rests[j]));
-    if (this.#ax === 0 && this.#ay === 0) return this.#findStraight(duration, slack, allowance);
+    tolerance.set(particles.radius[smaller], Math.max(rests[i], rests[j]));
+    if (yields[i] + yields[j] > 0) tolerance.yield(flight, smaller, Math.max(flight.stepSpeed(i), flight.stepSpeed(j)));
+    const duration = flight.duration - now;
+    if (this.#ax === 0 && this.#ay === 0) return this.#findStraight(duration);
     const a = Math.sqrt(this.#ax * this.#ax + this.#ay * this.#ay);
     const speed = Math.sqrt(this.#vx * this.#vx + this.#vy * this.#vy) + a * duration;
-    return firstTouch(this, speed, duration, this.#reach / 4, slack, allowance);
+    return firstTouch(this, speed, duration, this.#reach / 4, tolerance);
   }
 
   at(t: number): void {
@@ -45,7 +49,7 @@ export class DiscPath implements GapPath {
   /**
    * On straight ways the distance is R where |p + v·t|² = R², a quadratic; its lesser root, in the form that does not cancel.
    */
-  #findStraight(duration: number, slack: number, allowance: number): number {
+  #findStraight(duration: number): number {
     const x = this.#x;
     const y = this.#y;
     const vx = this.#vx;
@@ -53,7 +57,7 @@ export class DiscPath implements GapPath {
     const b = x * vx + y * vy;
     if (!(b < 0)) return Infinity;
     const distance = Math.sqrt(x * x + y * y);
-    const level = touchLevel(distance - this.#reach, b / distance, slack, allowance);
+    const level = touchLevel(distance - this.#reach, b / distance, this.#tolerance);
     if (level === Infinity) return 0;
     const R = this.#reach + level;
     const c = (distance - R) * (distance + R);

@@ -6,7 +6,7 @@ import type { Places } from './places.ts';
 import { nearOf } from './slack.ts';
 import type { Touches } from './touches.ts';
 
-/** Finds the pairs that touch, overlap or nearly touch as the step begins. Reads the pairs, x, y, radius. Adds touches. */
+/** Finds the pairs that touch, overlap or nearly touch now. Reads the pairs, x, y, radius. Adds touches. */
 export function findDiscTouches(
   { particles }: Flight,
   pairs: Pairs,

@@ -1,7 +1,5 @@
 import type { GapPath } from './gap-path.ts';
-
-/** Closing slower than this counts as not closing. Unit: m/s. */
-export const CLOSING_EPSILON = 1e-9;
+import type { Tolerance } from './tolerance.ts';
 
 /** Most looks at a path that cannot be passed over in one go. */
 const MOST_STRIDES = 4096;
@@ -16,8 +14,8 @@ const MOST_ROUNDS = 128;
  * negative brackets the touch, one that was closing and now opens brackets its least. A bracket is narrowed by Newton's method,
  * and by halving where that leaves it, down to the last bit.
  *
- * Where they touch already, to within `slack`, the answer is now if they close, and else the time at which they will be in each
- * other by `allowance` more: so what lies at rest, moved by rounding alone, does not touch again and again.
+ * Where they touch already the answer is now if they close, and else the time at which they will be in each other by more than
+ * the tolerance allows.
  * @param speed - Bound of how fast the gap can close. Unit: m/s.
  * @param duration - How far ahead to look. Unit: s.
  * @returns The time from now, or `Infinity`. Unit: s.
@@ -27,12 +25,11 @@ export function firstTouch(
   speed: number,
   duration: number,
   stride: number,
-  slack: number,
-  allowance: number,
+  tolerance: Tolerance,
 ): number {
   path.at(0);
   if (path.gap > speed * duration || speed === 0) return Infinity;
-  const level = touchLevel(path.gap, path.rate, slack, allowance);
+  const level = touchLevel(path.gap, path.rate, tolerance);
   if (level === Infinity) return 0;
   const shortest = Math.max(stride, (speed * duration) / MOST_STRIDES);
   let time = 0;
@@ -58,9 +55,9 @@ export function firstTouch(
 }
 
 /** The gap at which two things touch that are `gap` apart now, or `Infinity` where they do so now. Unit: m. */
-export function touchLevel(gap: number, rate: number, slack: number, allowance: number): number {
+export function touchLevel(gap: number, rate: number, { slack, allowance, slowest }: Tolerance): number {
   if (gap > slack) return 0;
-  return rate < -CLOSING_EPSILON ? Infinity : Math.min(gap, 0) - allowance;
+  return rate < -slowest ? Infinity : Math.min(gap, 0) - allowance;
 }
 
 /** Where the gap falls to `level`, between a time when it is above and one when it is below. */

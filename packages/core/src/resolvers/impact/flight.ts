@@ -1,4 +1,5 @@
 import type { ParticleStore } from '../../particles/particle-store.ts';
+import { slackOf } from './slack.ts';
 
 /**
  * The particles on their ways between impacts. Each has a time of its own, at which its position and velocity stand in the
@@ -20,10 +21,14 @@ export class Flight {
   impacts: Int32Array = new Int32Array(0);
   /** How often each particle came to rest in this step. */
   rests: Int32Array = new Int32Array(0);
+  /** 1 where a particle is in a crowd: slowly, it may sink into others until the step ends. */
+  yields: Uint8Array = new Uint8Array(0);
   /** Grows whenever the way of a particle changes. */
   turns: Int32Array = new Int32Array(0);
   /** Duration of the step. Unit: s. */
   duration = 0;
+  /** A gap that counts as none, for the smallest disc. Unit: m. */
+  slack = 0;
   #particles!: ParticleStore;
 
   get particles(): ParticleStore {
@@ -38,7 +43,7 @@ export class Flight {
     this.#particles = particles;
     this.duration = duration;
     if (this.time.length !== particles.capacity) this.#resize(particles.capacity);
-    const { count, x, y, vx, vy, fx, fy, inverseMass, accelerated } = particles;
+    const { count, x, y, vx, vy, fx, fy, radius, inverseMass, accelerated } = particles;
     const { freeX, freeY } = this;
     for (let i = 0; i < count; i++) {
       const w = inverseMass[i];
@@ -54,8 +59,14 @@ export class Flight {
     this.pace.fill(1, 0, count);
     this.impacts.fill(0, 0, count);
     this.rests.fill(0, 0, count);
+    this.yields.fill(0, 0, count);
     let sum = 0;
-    for (let i = 0; i < count; i++) sum += x[i] + y[i] + (vx[i] + vy[i]) + (freeX[i] + freeY[i]);
+    let smallest = Infinity;
+    for (let i = 0; i < count; i++) {
+      sum += x[i] + y[i] + (vx[i] + vy[i]) + (freeX[i] + freeY[i]);
+      if (inverseMass[i] !== 0) smallest = Math.min(smallest, radius[i]);
+    }
+    this.slack = slackOf(smallest);
     return sum - sum === 0;
   }
 
@@ -76,6 +87,11 @@ export class Flight {
     for (let i = 0; i < count; i++) this.advance(i, this.duration);
   }
 
+  /** The speed that a particle's acceleration builds in a step. Unit: m/s. */
+  stepSpeed(i: number): number {
+    return Math.sqrt(this.freeX[i] * this.freeX[i] + this.freeY[i] * this.freeY[i]) * this.duration;
+  }
+
   #addConstant(): void {
     const { count, ax, ay, inverseMass } = this.#particles;
     for (let i = 0; i < count; i++) {
@@ -94,6 +110,7 @@ export class Flight {
     this.pace = new Float64Array(capacity);
     this.impacts = new Int32Array(capacity);
     this.rests = new Int32Array(capacity);
+    this.yields = new Uint8Array(capacity);
     this.turns = new Int32Array(capacity);
   }
 }

@@ -48,12 +48,14 @@ class ImpactResolver implements Resolver {
     this.#flight.finish();
     if (particles.damped) damp(particles, dt);
     if (!allFinite(particles)) return false;
-    this.#corrections.apply(simulation, dt);
+    if (this.#rests.isCrowded) this.#findTouches(simulation);
+    this.#corrections.apply(simulation, dt, this.#rests.isCrowded);
     return allFinite(particles);
   }
 
   /** Finds what touches as the step begins, and supports what rests. Reads the flight. Writes touches, vx, vy, ax, ay. */
-  #begin({ particles, sources, contacts }: Simulation): void {
+  #begin(simulation: Simulation): void {
+    const { particles, sources, contacts } = simulation;
     const touches = this.#touches;
     const rests = this.#rests;
     const shapes = sources.shapes.list;
@@ -64,19 +66,33 @@ class ImpactResolver implements Resolver {
     touches.clear(particles.count);
     rests.begin();
     this.#schedule.begin(shapes, contacts, discs >= 0);
-    findShapeTouches(this.#flight, shapes, firstShape, this.#places, touches);
-    findDiscTouches(this.#flight, this.#schedule.pairs, contacts, this.#discSource, touches);
+    this.#findTouches(simulation);
     if (touches.count === 0) return;
     rests.settleAll();
     this.#schedule.findPairs();
+  }
+
+  /** Finds what touches or nearly does now. Reads the flight. Adds touches. */
+  #findTouches({ sources, contacts }: Simulation): void {
+    const { pairs } = this.#schedule;
+    this.#schedule.findPairs();
+    findShapeTouches(this.#flight, sources.shapes.list, sources.links.length, this.#places, this.#touches);
+    findDiscTouches(this.#flight, pairs, contacts, this.#discSource, this.#touches);
   }
 
   /** Takes one touch after the other until the step ends. Reads and writes all of the flight. */
   #runImpacts({ sources }: Simulation): void {
     const schedule = this.#schedule;
     const firstShape = sources.links.length;
-    for (let i = schedule.next; schedule.timeOf(i) < this.#flight.duration; i = schedule.next) {
-      const now = schedule.timeOf(i);
+    const rests = this.#rests;
+    const { duration } = this.#flight;
+    for (let i = schedule.next; schedule.timeOf(i) < duration || rests.dueTime < duration; i = schedule.next) {
+      const now = Math.min(schedule.timeOf(i), rests.dueTime);
+      if (now === rests.dueTime) {
+        rests.relieveAll(now);
+        this.#predictCluster(now);
+        continue;
+      }
       const partner = schedule.partnerOf(i);
       if (!schedule.isCurrent(i)) {
         schedule.predict(i, now);
@@ -92,13 +108,19 @@ class ImpactResolver implements Resolver {
 
   /** Predicts anew the two that touched, and those that rest on them and whose ways changed. */
   #predict(i: number, j: number, now: number): void {
-    const { slots, slotCount } = this.#rests.cluster;
     const schedule = this.#schedule;
     schedule.turn(i, now);
     if (j !== SCENERY) schedule.turn(j, now);
-    for (let s = 0; s < slotCount; s++) schedule.turn(slots[s], now);
+    this.#predictCluster(now);
     schedule.predict(i, now);
     if (j !== SCENERY) schedule.predict(j, now);
-    for (let s = 0; s < slotCount; s++) if (slots[s] !== i && slots[s] !== j) schedule.predict(slots[s], now);
+  }
+
+  /** Predicts anew those whose ways the support changed. */
+  #predictCluster(now: number): void {
+    const { slots, slotCount } = this.#rests.cluster;
+    const schedule = this.#schedule;
+    for (let s = 0; s < slotCount; s++) schedule.turn(slots[s], now);
+    for (let s = 0; s < slotCount; s++) schedule.predict(slots[s], now);
   }
 }

@@ -3,7 +3,7 @@ import { SCENERY } from '../../contacts/contact-buffer.ts';
 import type { Flight } from './flight.ts';
 import { Places } from './places.ts';
 import type { Rests } from './rests.ts';
-import { allowanceOf, slackOf } from './slack.ts';
+import { Tolerance } from './tolerance.ts';
 import type { Touches } from './touches.ts';
 
 /** Impacts of one particle in one step from which on it gives back nothing: an endless sequence, as far as can be told. */
@@ -18,6 +18,7 @@ export class Impacts {
   readonly #touches: Touches;
   readonly #rests: Rests;
   readonly #places = new Places();
+  readonly #tolerance = new Tolerance();
 
   constructor(flight: Flight, touches: Touches, rests: Rests) {
     this.#flight = flight;
@@ -41,8 +42,9 @@ export class Impacts {
     flight.advance(i, now);
     const { x, y, vx, vy, radius, restitution } = flight.particles;
     const places = this.#places;
-    const tolerance = 2 * allowanceOf(slackOf(radius[i]), flight.rests[i]);
-    const count = places.find(shape, x[i], y[i], radius[i], tolerance);
+    const tolerance = this.#tolerance;
+    tolerance.set(radius[i], flight.rests[i]);
+    const count = places.find(shape, x[i], y[i], radius[i], 2 * tolerance.allowance);
     let found = -1;
     let fastest = Infinity;
     for (let p = 0; p < count; p++) {

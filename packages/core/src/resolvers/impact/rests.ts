@@ -1,13 +1,20 @@
 import { SCENERY } from '../../contacts/contact-buffer.ts';
 import { Cluster } from './cluster.ts';
 import { Complementarity, push } from './complementarity.ts';
-import { CLOSING_EPSILON } from './first-touch.ts';
 import type { Flight } from './flight.ts';
+import { CLOSING_EPSILON } from './tolerance.ts';
 import type { Touches } from './touches.ts';
 
-/** What counts as still, of a velocity and of an acceleration. Unit: m/s, m/s². */
-const STILL_VELOCITY = 1e-13;
-const STILL_ACCELERATION = 1e-11;
+/** The most that counts as still, of a velocity and of an acceleration. Unit: m/s, m/s². */
+const STILL_VELOCITY = 1e-10;
+const STILL_ACCELERATION = 1e-7;
+
+/** Touches that come to rest in one step that are nothing unusual; with more it is a crowd. */
+const FEW_RESTS = 8;
+
+/** Impacts after which the support is found anew at once; after more it is so this many times in a step. */
+const FEW_RELIEFS = 16;
+const LATE_RELIEFS = 4;
 
 /** Impacts of one particle in one step that are nothing unusual. */
 const FEW = 8;
@@ -16,6 +23,9 @@ const FEW = 8;
  * What rests on what. Two things come to rest on each other when they touch no faster than the acceleration of one step
  * makes them. From then on, for all that hangs together there at once, velocities and accelerations are such that none of
  * these is in another as the step ends. So a pile at rest costs no impacts, and what slides does so on exact parabolas.
+ *
+ * In a crowd, a step in which many come to rest, the others have to wait for its end: slow as they are, they may sink into each
+ * other until then, and are stilled and separated together.
  */
 export class Rests {
   /** Those particles whose way the last call changed. */
@@ -28,6 +38,9 @@ export class Rests {
   /** By touch. */
   #impulses: Float64Array = new Float64Array(0);
   #bias: Float64Array = new Float64Array(0);
+  #restCount = 0;
+  #reliefCount = 0;
+  #dueTime = Infinity;
 
   constructor(flight: Flight, touches: Touches) {
     this.#flight = flight;
@@ -41,6 +54,19 @@ export class Rests {
     this.#velocity.y = particles.vy;
     this.#acceleration.x = ax;
     this.#acceleration.y = ay;
+    this.#restCount = 0;
+    this.#reliefCount = 0;
+    this.#dueTime = Infinity;
+  }
+
+  /** When the support is to be found anew, or `Infinity`. Unit: s since the step began. */
+  get dueTime(): number {
+    return this.#dueTime;
+  }
+
+  /** Whether more came to rest than can be looked after one by one. */
+  get isCrowded(): boolean {
+    return this.#restCount > FEW_RESTS;
   }
 
   /**
@@ -55,9 +81,9 @@ export class Rests {
     const i = a[c];
     const j = b[c];
     const ofFirst = -(freeX[i] * normalX[c] + freeY[i] * normalY[c]);
-    if (impacts[i] > FEW) return Math.sqrt(freeX[i] * freeX[i] + freeY[i] * freeY[i]) * duration;
+    if (this.isCrowded || impacts[i] > FEW) return this.#flight.stepSpeed(i);
     if (j === SCENERY) return Math.max(0, ofFirst) * duration;
-    if (impacts[j] > FEW) return Math.sqrt(freeX[j] * freeX[j] + freeY[j] * freeY[j]) * duration;
+    if (impacts[j] > FEW) return this.#flight.stepSpeed(j);
     const ofSecond = freeX[j] * normalX[c] + freeY[j] * normalY[c];
     if (!this.#isHeld(i) && !this.#isHeld(j)) return Math.max(0, ofFirst + ofSecond) * duration;
     return (Math.max(0, ofFirst) + Math.max(0, ofSecond)) * duration;
@@ -73,19 +99,32 @@ export class Rests {
 
   /** At the start of a step: stills and supports all touches that rest. */
   settleAll(): void {
-    const { count } = this.#touches;
-    const { cluster } = this;
-    cluster.clear(this.#flight.particles.capacity, count);
-    for (let c = 0; c < count; c++) if (this.#isSlow(c)) cluster.addTouch(c);
+    this.#collectAll(0);
     this.#still(0);
     this.#support(0);
+  }
+
+  /** Supports anew all that rests, after impacts. */
+  relieveAll(now: number): void {
+    this.#dueTime = Infinity;
+    this.#collectAll(now);
+    this.#still(now);
+    this.#support(now);
+    this.cluster.keepTurned(this.#flight);
   }
 
   /** A touch comes to rest: it is stilled and supported together with all that rests there. */
   settle(c: number, now: number): void {
     const { a, b } = this.#touches;
-    this.#flight.rests[a[c]]++;
-    if (b[c] !== SCENERY) this.#flight.rests[b[c]]++;
+    const { rests, yields } = this.#flight;
+    rests[a[c]]++;
+    if (b[c] !== SCENERY) rests[b[c]]++;
+    if (++this.#restCount > FEW_RESTS) {
+      yields[a[c]] = 1;
+      if (b[c] !== SCENERY) yields[b[c]] = 1;
+      this.cluster.clear(this.#flight.particles.capacity, this.#touches.count);
+      return;
+    }
     this.#collect(a[c], b[c], c, now);
     this.#still(now);
     this.#support(now);
@@ -94,6 +133,11 @@ export class Rests {
 
   /** After an impact of two: what rests on them is supported anew. */
   relieve(i: number, j: number, now: number): void {
+    if (++this.#reliefCount > FEW_RELIEFS) {
+      this.#putOff(now);
+      this.cluster.clear(this.#flight.particles.capacity, this.#touches.count);
+      return;
+    }
     this.#collect(i, j, -1, now);
     this.#support(now);
     this.cluster.keepTurned(this.#flight);
@@ -111,6 +155,32 @@ export class Rests {
     return closing <= CLOSING_EPSILON || closing <= this.restingSpeed(c);
   }
 
+  #putOff(now: number): void {
+    this.#dueTime = Math.min(this.#dueTime, now + this.#flight.duration / LATE_RELIEFS);
+  }
+
+  /** Gathers all that rests and brings it to one time. */
+  #collectAll(now: number): void {
+    const { cluster } = this;
+    const flight = this.#flight;
+    const touches = this.#touches;
+    const { particles } = flight;
+    cluster.clear(particles.capacity, touches.count);
+    for (let c = 0; c < touches.count; c++) {
+      this.#bring(touches.a[c], now);
+      this.#bring(touches.b[c], now);
+      touches.measure(c, particles);
+      if (touches.isNear(c, particles) && this.#isSlow(c)) cluster.addTouch(c);
+      else if (touches.force[c] !== 0) this.#release(c, now);
+    }
+  }
+
+  #bring(i: number, now: number): void {
+    if (i === SCENERY) return;
+    this.#flight.advance(i, now);
+    if (this.#flight.particles.inverseMass[i] !== 0) this.cluster.addSlot(i, this.#flight);
+  }
+
   /** Gathers what hangs on two particles and brings it to one time. One touch belongs to it however fast it closes. */
   #collect(i: number, j: number, always: number, now: number): void {
     const { cluster } = this;
@@ -118,8 +188,8 @@ export class Rests {
     const touches = this.#touches;
     const { capacity, inverseMass } = flight.particles;
     cluster.clear(capacity, touches.count);
-    if (inverseMass[i] !== 0) cluster.addSlot(i, flight);
-    if (j !== SCENERY && inverseMass[j] !== 0) cluster.addSlot(j, flight);
+    this.#bring(i, now);
+    this.#bring(j, now);
     for (let s = 0; s < cluster.slotCount; s++) {
       const slot = cluster.slots[s];
       for (let c = touches.firstOf(slot); c >= 0; c = touches.nextOf(slot, c)) {
@@ -139,7 +209,8 @@ export class Rests {
   /** Takes off the closing velocities what would close more than the gap by the end. Writes vx, vy, impulses. */
   #still(now: number): void {
     const { touches, touchCount } = this.cluster;
-    const { gap, impulse } = this.#touches;
+    const { impulse } = this.#touches;
+    const { particles } = this.#flight;
     const left = this.#flight.duration - now;
     if (this.#impulses.length < impulse.length) {
       this.#impulses = new Float64Array(impulse.length);
@@ -148,9 +219,9 @@ export class Rests {
     for (let k = 0; k < touchCount; k++) {
       const c = touches[k];
       this.#impulses[c] = 0;
-      this.#bias[c] = Math.max(0, gap[c]) / left;
+      this.#bias[c] = this.#touches.freeGap(c, particles) / left;
     }
-    this.#solve(this.#velocity, this.#impulses, STILL_VELOCITY);
+    this.#solve(this.#velocity, this.#impulses, Math.min(STILL_VELOCITY, (0.1 * this.#flight.slack) / left));
     for (let k = 0; k < touchCount; k++) impulse[touches[k]] += this.#impulses[touches[k]];
   }
 
@@ -160,15 +231,17 @@ export class Rests {
    */
   #support(now: number): void {
     const { touches, touchCount } = this.cluster;
-    const { gap, force, impulse } = this.#touches;
+    const { force, impulse } = this.#touches;
+    const { particles } = this.#flight;
     const left = this.#flight.duration - now;
     if (this.#bias.length < force.length) this.#bias = new Float64Array(force.length);
     for (let k = 0; k < touchCount; k++) {
       const c = touches[k];
       impulse[c] -= force[c] * left;
-      this.#bias[c] = Math.max(0, (2 * (Math.max(0, gap[c]) + this.separatingVelocity(c) * left)) / (left * left));
+      const apart = this.#touches.freeGap(c, particles) + this.separatingVelocity(c) * left;
+      this.#bias[c] = Math.max(0, (2 * apart) / (left * left));
     }
-    this.#solve(this.#acceleration, force, STILL_ACCELERATION);
+    this.#solve(this.#acceleration, force, Math.min(STILL_ACCELERATION, (0.5 * this.#flight.slack) / (left * left)));
     for (let k = 0; k < touchCount; k++) impulse[touches[k]] += force[touches[k]] * left;
   }
 

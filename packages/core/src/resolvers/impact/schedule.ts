@@ -37,7 +37,7 @@ export class Schedule {
     this.#shapePath = new ShapePath(flight);
   }
 
-  /** Takes note of what there is to hit, and finds the pairs that are near on their ways. */
+  /** Takes note of what there is to hit. */
   begin(shapes: readonly Shape[], contacts: ContactBuffer, discsCollide: boolean): void {
     const { capacity } = this.#flight.particles;
     this.#shapes = shapes;
@@ -48,10 +48,9 @@ export class Schedule {
       this.#partner = new Int32Array(capacity);
       this.#partnerTurns = new Int32Array(capacity);
     }
-    this.findPairs();
   }
 
-  /** Finds the pairs anew, after ways were changed at the start of the step. */
+  /** Finds the pairs that are near on their ways. */
   findPairs(): void {
     this.boxes.begin(this.#flight);
     this.pairs.count = 0;

@@ -2,7 +2,7 @@ import type { Shape, SurfaceReport } from '../../collision/shape.ts';
 import { firstTouch } from './first-touch.ts';
 import type { Flight } from './flight.ts';
 import type { GapPath } from './gap-path.ts';
-import { allowanceOf, slackOf } from './slack.ts';
+import { Tolerance } from './tolerance.ts';
 
 /** A point that touches scenery advances by this where the gap is smaller. Unit: m. */
 const STRIDE_OF_POINTS = 1e-4;
@@ -12,6 +12,7 @@ export class ShapePath implements GapPath, SurfaceReport {
   gap = 0;
   rate = 0;
   readonly #flight: Flight;
+  readonly #tolerance = new Tolerance();
   #shape!: Shape;
   #radius = 0;
   #reach = 0;
@@ -35,10 +36,12 @@ export class ShapePath implements GapPath, SurfaceReport {
     const duration = this.#flight.duration - now;
     const a = Math.sqrt(this.#ax * this.#ax + this.#ay * this.#ay);
     const speed = Math.sqrt(this.#vx * this.#vx + this.#vy * this.#vy) + a * duration;
-    const slack = slackOf(this.#radius);
-    this.#reach = this.#radius + speed * duration + slack;
+    const tolerance = this.#tolerance;
+    tolerance.set(this.#radius, this.#flight.rests[i]);
+    if (this.#flight.yields[i] === 1) tolerance.yield(this.#flight, i, this.#flight.stepSpeed(i));
+    this.#reach = this.#radius + speed * duration + tolerance.slack;
     const stride = this.#radius > 0 ? this.#radius / 2 : STRIDE_OF_POINTS;
-    return firstTouch(this, speed, duration, stride, slack, allowanceOf(slack, this.#flight.rests[i]));
+    return firstTouch(this, speed, duration, stride, tolerance);
   }
 
   at(t: number): void {

@@ -1,7 +1,7 @@
 import { SCENERY } from '../../contacts/contact-buffer.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 import { SAME_PLACE } from './places.ts';
-import { nearOf } from './slack.ts';
+import { nearOf, slackOf } from './slack.ts';
 
 const FIRST_CAPACITY = 64;
 
@@ -85,6 +85,13 @@ export class Touches {
     this.normalX[c] = distance === 0 ? 0 : dx / distance; // concentric discs define no direction: any will do
     this.normalY[c] = distance === 0 ? 1 : dy / distance;
     this.gap[c] = distance - radius[i] - radius[j];
+  }
+
+  /** The gap that the two may close without touching. Unit: m. */
+  freeGap(c: number, { radius }: ParticleArrays): number {
+    const ofFirst = radius[this.a[c]];
+    const smaller = this.b[c] === SCENERY ? ofFirst : Math.min(ofFirst, radius[this.b[c]]);
+    return Math.max(0, this.gap[c] - 2 * slackOf(smaller));
   }
 
   /** Whether the two are so near that they may rest on each other within the step. */
