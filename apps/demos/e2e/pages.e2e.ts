@@ -1,4 +1,5 @@
 import { join } from 'node:path';
+import type { Page } from 'playwright/test';
 import { scenes } from '../src/scenes/index.ts';
 import { expect, openScene, read, test } from './gallery.ts';
 
@@ -58,33 +59,88 @@ for (const id of ids) {
   });
 }
 
-test('the list shows every scene, running', async ({ page }) => {
+/** The world's time of thumbnail `n` of the list, from the top; 0 before it was started. */
+function timeOf(page: Page, n: number): Promise<number> {
+  return page.evaluate((index) => {
+    const host = document.querySelectorAll<HTMLElement>('.card .thumbnail')[index];
+    return window.stages?.get(host)?.setup.world.time ?? 0;
+  }, n);
+}
+
+test('the list shows every scene, by chapter, and those in sight run', async ({ page }) => {
   await page.goto('./');
-  await expect(page.locator('.card')).toHaveCount(ids.length);
-  for (const id of await page.evaluate(() => Object.keys(window.thumbnails ?? {}))) {
-    await expect
-      .poll(() => page.evaluate((name) => window.thumbnails?.[name].setup.world.time ?? 0, id))
-      .toBeGreaterThan(0.2);
+  await expect(page.locator('.cards:not(.featured) .card')).toHaveCount(ids.length);
+  for (const id of ids) await expect(page.locator(`.cards:not(.featured) a[href="scenes/${id}/"]`)).toHaveCount(1);
+  for (const link of await page.locator('.contents a').all()) {
+    await expect(page.locator((await link.getAttribute('href')) ?? 'none')).toBeAttached();
   }
-  await page.locator('.card a').first().click();
+  for (let n = 0; n < 4; n++) await expect.poll(() => timeOf(page, n)).toBeGreaterThan(0.2);
+  const last = page.locator('.card').last();
+  await last.scrollIntoViewIfNeeded();
+  await expect.poll(() => timeOf(page, ids.length + 3)).toBeGreaterThan(0.2);
+  await last.locator('a').click();
   await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
   await page.getByRole('link', { name: 'Mass' }).click();
-  await expect(page.locator('.card')).toHaveCount(ids.length);
+  await expect(page.locator('.contents')).toBeVisible();
 });
 
-test('a thumbnail out of sight stands still', async ({ page }) => {
-  await page.setViewportSize({ width: 360, height: 500 });
+test('the scene at the top of the list can be played with, and its view stays', async ({ page }) => {
   await page.goto('./');
-  const timeOf = (n: number) =>
-    page.evaluate((index) => Object.values(window.thumbnails ?? {})[index]?.setup.world.time ?? 0, n);
-  await expect.poll(() => timeOf(0)).toBeGreaterThan(0.2);
-  await page.locator('.card').last().scrollIntoViewIfNeeded();
-  await expect.poll(() => page.evaluate(() => Object.values(window.thumbnails ?? {})[0].inSight)).toBe(false);
-  const stopped = await timeOf(0);
-  await expect.poll(() => timeOf(ids.length - 1)).toBeGreaterThan(0.5);
-  expect(await timeOf(0)).toBe(stopped);
+  const find = () =>
+    page.evaluate(() => {
+      const hero = document.querySelector<HTMLElement>('#hero') as HTMLElement;
+      const stage = window.stages?.get(hero) as NonNullable<ReturnType<NonNullable<typeof window.stages>['get']>>;
+      const { camera, element } = stage.panes[0];
+      const { left, top } = element.getBoundingClientRect();
+      const { x, y } = stage.setup.world.particleAt(12);
+      return { x: left + camera.toScreenX(x), y: top + camera.toScreenY(y), scale: camera.pixelsPerMetre };
+    });
+  await expect.poll(() => page.evaluate(() => window.stages?.size ?? 0)).toBeGreaterThan(0);
+  const before = await find();
+  await page.mouse.move(before.x, before.y);
+  await page.mouse.down();
+  await page.mouse.move(before.x + 4, before.y - 90, { steps: 4 });
+  await expect.poll(async () => (await find()).y, { timeout: 60_000 }).toBeLessThan(before.y - 50);
+  await page.mouse.up();
+  await page.keyboard.down('Control');
+  await page.mouse.wheel(0, -120);
+  await page.keyboard.up('Control');
+  expect((await find()).scale).toBe(before.scale);
+});
+
+test('a chapter is reached by keyboard alone', async ({ page }) => {
+  await page.goto('./');
+  await page.locator('.contents a').last().focus();
+  await page.keyboard.press('Enter');
+  await expect(page.locator('.chapter').last()).toBeInViewport();
+  await page.keyboard.press('Tab');
+  const card = page.locator('.cards').last().locator('a').first();
+  await expect(card).toBeFocused();
+  await page.keyboard.press('Enter');
+  await expect(page).toHaveURL(/scenes/);
+});
+
+test('a thumbnail out of sight stands still, and only a few run at a time', async ({ page }) => {
+  await page.setViewportSize({ width: 1280, height: 700 });
+  await page.goto('./');
+  await expect.poll(() => timeOf(page, 0)).toBeGreaterThan(0.2);
+  const running = () =>
+    page.evaluate(
+      () => [...(window.stages?.values() ?? [])].filter(({ playing, inSight }) => playing && inSight).length,
+    );
+  let most = 0;
+  for (const card of await page.locator('.card').all()) {
+    await card.scrollIntoViewIfNeeded();
+    most = Math.max(most, await running());
+  }
+  expect(most).toBeLessThan(10);
+  await expect.poll(() => timeOf(page, ids.length + 3)).toBeGreaterThan(0.2);
+  const stopped = await timeOf(page, 0);
+  const late = await timeOf(page, ids.length + 3);
+  await expect.poll(() => timeOf(page, ids.length + 3)).toBeGreaterThan(late + 0.5);
+  expect(await timeOf(page, 0)).toBe(stopped);
   await page.evaluate(() => window.scrollTo(0, 0));
-  await expect.poll(() => timeOf(0)).toBeGreaterThan(stopped);
+  await expect.poll(() => timeOf(page, 0)).toBeGreaterThan(stopped);
 });
 
 test('the list fits a phone', async ({ page }) => {
@@ -116,10 +172,8 @@ test('light and dark follow the system until the reader chooses, and the choice 
 test('who asks for less motion gets none until they press play', async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await page.goto('./');
-  await expect
-    .poll(() => page.evaluate(() => window.thumbnails?.['projectiles']?.setup.world.time ?? 0))
-    .toBeGreaterThan(1);
-  expect(await page.evaluate(() => window.thumbnails?.['projectiles'].playing)).toBe(false);
+  await expect.poll(() => timeOf(page, 0)).toBeGreaterThan(1);
+  expect(await page.evaluate(() => [...(window.stages?.values() ?? [])].some(({ playing }) => playing))).toBe(false);
   await openScene(page, 'projectiles');
   expect(await read(page, ({ stage }) => stage.playing)).toBe(false);
   await page.keyboard.press(' ');
@@ -135,9 +189,7 @@ test('the files work from any sub-path', async ({ page }) => {
     return route.fulfill({ path: join(dist, file === '' || file.endsWith('/') ? `${file}index.html` : file) });
   });
   await page.goto('http://pages.test/some/where/');
-  await expect
-    .poll(() => page.evaluate(() => window.thumbnails?.['projectiles']?.setup.world.time ?? 0))
-    .toBeGreaterThan(0.1);
+  await expect.poll(() => timeOf(page, 0)).toBeGreaterThan(0.1);
   await page.locator('.card a').first().click();
   await expect(page).toHaveURL(/some\/where\/scenes\//);
   await expect.poll(() => read(page, (mass) => mass?.world.time ?? 0)).toBeGreaterThan(0.1);

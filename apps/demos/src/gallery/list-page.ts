@@ -1,28 +1,29 @@
+import type { Bounds } from '@mass/core/view';
 import { sceneOf } from '../scenes/index.ts';
 import { DEFAULT_SEED, defaultValues } from '../scenes/run.ts';
+import { Hand } from '../stage/hand.ts';
 import { Stage } from '../stage/stage.ts';
-import { exposeThumbnails } from './mass.ts';
+import { find } from './find.ts';
+import './mass.ts';
 import { currentPalette, watchTheme } from './theme.ts';
 
 /** How long a thumbnail runs before it starts again. Unit: s. */
 const THUMBNAIL_TIME = 30;
 
+/** A thumbnail of which less is in sight stands still: only a few run at a time. */
+const SEEN = 0.4;
+
+/** The most that starting thumbnails may take of a frame. Unit: ms. */
+const START_TIME = 6;
+
+const narrow = matchMedia('(max-width: 560px)');
 const still = matchMedia('(prefers-reduced-motion: reduce)');
 const stages = new Map<HTMLElement, Stage>();
+const waiting = new Set<HTMLElement>();
+const seen = new Set<HTMLElement>();
+const hero = find('#hero');
 
-/** A scene is started when its card comes near, not before. */
-const near = new IntersectionObserver(
-  (entries) => {
-    for (const { target, isIntersecting } of entries) {
-      if (!isIntersecting) continue;
-      near.unobserve(target);
-      start(target as HTMLElement);
-    }
-  },
-  { rootMargin: '200px' },
-);
-
-function start(host: HTMLElement): void {
+function start(host: HTMLElement): Stage {
   const scene = sceneOf(host.dataset['scene']);
   const stage = new Stage(host, {
     scene,
@@ -35,17 +36,80 @@ function start(host: HTMLElement): void {
   });
   stages.set(host, stage);
   if (still.matches) stage.skip(scene.poster ?? 2);
-  else stage.play();
+  return stage;
 }
 
+/** Plays what is in sight, unless the reader wants no motion. */
+function move(host: HTMLElement, stage: Stage): void {
+  if (!still.matches && (host === hero || seen.has(host))) stage.play();
+  else stage.pause();
+}
+
+function fitHero(): void {
+  const view: Bounds = JSON.parse(hero.dataset[narrow.matches ? 'narrow' : 'wide'] ?? '');
+  heroStage.moveCameras((camera) => camera.fit(view));
+}
+
+/** Starts thumbnails that came near, a few at each frame: those in sight first. */
+function startWaiting(): void {
+  const until = performance.now() + START_TIME;
+  while (waiting.size > 0 && performance.now() < until) {
+    const host = [...waiting].find((each) => seen.has(each)) ?? [...waiting][0];
+    waiting.delete(host);
+    near.unobserve(host);
+    move(host, start(host));
+  }
+  if (waiting.size > 0) requestAnimationFrame(startWaiting);
+}
+
+/** A scene is started when its card comes near, not before; one that was passed by meanwhile waits for the next time. */
+const near = new IntersectionObserver(
+  (entries) => {
+    const idle = waiting.size === 0;
+    for (const { target, isIntersecting } of entries) {
+      if (isIntersecting) waiting.add(target as HTMLElement);
+      else waiting.delete(target as HTMLElement);
+    }
+    if (idle && waiting.size > 0) requestAnimationFrame(startWaiting);
+  },
+  { rootMargin: '200px' },
+);
+
+const sight = new IntersectionObserver(
+  (entries) => {
+    for (const { target, intersectionRatio } of entries) {
+      const host = target as HTMLElement;
+      if (intersectionRatio >= SEEN) seen.add(host);
+      else seen.delete(host);
+      const stage = stages.get(host);
+      if (stage) move(host, stage);
+    }
+  },
+  { threshold: SEEN },
+);
+
 still.addEventListener('change', () => {
-  for (const stage of stages.values()) still.matches ? stage.pause() : stage.play();
+  for (const [host, stage] of stages) move(host, stage);
 });
 watchTheme((palette) => {
   for (const stage of stages.values()) stage.usePalette(palette);
 });
-exposeThumbnails(stages);
-for (const host of document.querySelectorAll<HTMLElement>('.thumbnail')) near.observe(host);
+window.stages = stages;
+
+// The scene at the top moves first, and can be played with; the others follow.
+const heroStage = start(hero);
+new Hand(heroStage, { camera: false });
+fitHero();
+narrow.addEventListener('change', fitHero);
+move(hero, heroStage);
+requestAnimationFrame(() => {
+  for (const host of document.querySelectorAll<HTMLElement>('.thumbnail')) {
+    near.observe(host);
+    sight.observe(host);
+  }
+});
 setInterval(() => {
-  for (const stage of stages.values()) if (stage.setup.world.time > THUMBNAIL_TIME) stage.reset();
+  for (const [host, stage] of stages) {
+    if (host !== hero && stage.setup.world.time > THUMBNAIL_TIME) stage.reset();
+  }
 }, 1000);

@@ -25,8 +25,8 @@ declare global {
   interface Window {
     /** On a scene's page. */
     mass?: MassOnPage;
-    /** On the list of scenes: the stage of each thumbnail that was started, by the scene's id. */
-    thumbnails?: { readonly [id: string]: Stage };
+    /** On the list of scenes: the stages that were started, by their elements. */
+    stages?: ReadonlyMap<HTMLElement, Stage>;
   }
 }
 
@@ -58,11 +58,4 @@ export function exposeStage(stage: Stage): void {
       return stage.statistics.frames;
     },
   };
-}
-
-/** Puts `window.thumbnails` in place. */
-export function exposeThumbnails(stages: ReadonlyMap<HTMLElement, Stage>): void {
-  Object.defineProperty(window, 'thumbnails', {
-    get: () => Object.fromEntries([...stages.values()].map((stage) => [stage.scene.id, stage])),
-  });
 }

@@ -34,8 +34,12 @@ export class Hand {
   readonly #gestures = new Map<number, Gesture>();
   readonly #touches = new Map<number, { x: number; y: number }>();
 
-  constructor(stage: Stage) {
+  readonly #movesCamera: boolean;
+
+  /** `camera: false` for a stage whose view stays as it is. */
+  constructor(stage: Stage, { camera = true }: { readonly camera?: boolean } = {}) {
     this.#stage = stage;
+    this.#movesCamera = camera;
     stage.extraGuides = (pane) => this.#guides(pane);
     for (const pane of stage.panes) this.#listen(pane);
   }
@@ -68,7 +72,9 @@ export class Hand {
 
   #begin(pane: Pane, event: PointerEvent, at: Point): Gesture | undefined {
     if (this.#touches.size > 1) return undefined;
-    if (event.pointerType === 'mouse' && (event.button !== 0 || event.shiftKey)) return { kind: 'pan' };
+    if (event.pointerType === 'mouse' && (event.button !== 0 || event.shiftKey)) {
+      return this.#movesCamera ? { kind: 'pan' } : undefined;
+    }
     const particle = this.#pick(pane, event, at);
     if (particle) return { kind: 'grab', hold: take(pane, particle, at) };
     let taken = false;
@@ -136,13 +142,13 @@ export class Hand {
     const at = worldPoint(pane, event.changedTouches[0]);
     const hit = this.#pick(pane, { pointerType: 'touch' }, at) !== undefined;
     const taken = [...this.#gestures.values()].some(({ kind }) => kind !== 'tap');
-    if (event.touches.length > 1 || hit || taken) event.preventDefault();
+    if ((this.#movesCamera && event.touches.length > 1) || hit || taken) event.preventDefault();
   }
 
   /** Two fingers: the camera follows them, as if they touched the world itself. */
   #pinch(pane: Pane, pointer: number, before: Point, now: Point): void {
     const other = [...this.#touches].find(([id]) => id !== pointer)?.[1];
-    if (!other) return;
+    if (!other || !this.#movesCamera) return;
     const factor = distance(now, other) / Math.max(1, distance(before, other));
     this.#stage.moveCameras((camera) => {
       camera.pan((now.x - before.x) / 2, (now.y - before.y) / 2);
@@ -152,7 +158,7 @@ export class Hand {
   }
 
   #wheel(pane: Pane, event: WheelEvent): void {
-    if (!event.ctrlKey && !event.metaKey) return;
+    if (!this.#movesCamera || (!event.ctrlKey && !event.metaKey)) return;
     event.preventDefault();
     const { x, y } = screenPoint(pane, event);
     const pixels = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? event.deltaY * 16 : event.deltaY;

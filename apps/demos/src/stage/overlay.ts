@@ -9,7 +9,7 @@ const LINE = 1.25;
 export interface Ink {
   readonly palette: Palette;
   readonly style: Style;
-  /** Size of the words. Unit: CSS px. */
+  /** Size of the words; 0 leaves them out. Unit: CSS px. */
   readonly textSize: number;
 }
 
@@ -88,7 +88,7 @@ function drawGuide(context: CanvasRenderingContext2D, guide: Guide, camera: Came
       );
       return;
     case 'label':
-      drawLabel(context, guide, camera, ink);
+      if (ink.textSize > 0) drawLabel(context, guide, camera, ink);
   }
 }
 

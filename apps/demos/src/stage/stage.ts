@@ -28,6 +28,9 @@ const LONGEST_FRAME = 0.25;
 /** The most that one frame steps, however short the scene's step is; what is missing beyond is dropped. Unit: s. */
 const CATCH_UP = 1 / 12;
 
+/** A stage that is narrower has no room for words. Unit: CSS px. */
+const WORDLESS = 290;
+
 /**
  * A scene on a page: its worlds, their pictures, the loop. It serves a scene's own page and a thumbnail alike, with
  * whichever renderer.
@@ -289,7 +292,8 @@ export class Stage {
   }
 
   #draw(): void {
-    const textSize = this.#panes[0].camera.width < 560 ? 10.5 : 13;
+    const width = this.#panes[0].camera.width * this.#panes.length;
+    const textSize = width < WORDLESS ? 0 : this.#panes[0].camera.width < 560 ? 10.5 : 13;
     const ink = { palette: this.#palette, style: this.#style, textSize };
     for (const [index, { guides }] of this.#worlds().entries()) {
       const pane = this.#panes[index];
