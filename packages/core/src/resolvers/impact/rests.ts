@@ -9,11 +9,13 @@ import type { Touches } from './touches.ts';
 const STILL_VELOCITY = 1e-10;
 const STILL_ACCELERATION = 1e-7;
 
-/** Touches that come to rest in one step that are nothing unusual; with more it is a crowd. */
-const FEW_RESTS = 8;
+/**
+ * Most touches to look after in a step, each time that one comes to rest or that what supports it is found anew, and all that
+ * hang on it. Enough for all that happens to thirty discs; with more it is a crowd.
+ */
+const MOST_WORK = 2000;
 
-/** Impacts after which the support is found anew at once; after more it is so this many times in a step. */
-const FEW_RELIEFS = 16;
+/** In a crowd the support is found anew this many times in a step. */
 const LATE_RELIEFS = 4;
 
 /** Impacts of one particle in one step that are nothing unusual. */
@@ -24,8 +26,8 @@ const FEW = 8;
  * makes them. From then on, for all that hangs together there at once, velocities and accelerations are such that none of
  * these is in another as the step ends. So a pile at rest costs no impacts, and what slides does so on exact parabolas.
  *
- * In a crowd, a step in which many come to rest, the others have to wait for its end: slow as they are, they may sink into each
- * other until then, and are stilled and separated together.
+ * In a crowd, a step in which too much happens, what comes to rest has to wait for its end: slow as it is, it may sink in until
+ * then, and all is stilled and separated together.
  */
 export class Rests {
   /** Those particles whose way the last call changed. */
@@ -38,8 +40,7 @@ export class Rests {
   /** By touch. */
   #impulses: Float64Array = new Float64Array(0);
   #bias: Float64Array = new Float64Array(0);
-  #restCount = 0;
-  #reliefCount = 0;
+  #work = 0;
   #dueTime = Infinity;
 
   constructor(flight: Flight, touches: Touches) {
@@ -54,8 +55,7 @@ export class Rests {
     this.#velocity.y = particles.vy;
     this.#acceleration.x = ax;
     this.#acceleration.y = ay;
-    this.#restCount = 0;
-    this.#reliefCount = 0;
+    this.#work = 0;
     this.#dueTime = Infinity;
   }
 
@@ -64,9 +64,9 @@ export class Rests {
     return this.#dueTime;
   }
 
-  /** Whether more came to rest than can be looked after one by one. */
+  /** Whether more happens than can be looked after one by one. */
   get isCrowded(): boolean {
-    return this.#restCount > FEW_RESTS;
+    return this.#work > MOST_WORK;
   }
 
   /**
@@ -119,7 +119,7 @@ export class Rests {
     const { rests, yields } = this.#flight;
     rests[a[c]]++;
     if (b[c] !== SCENERY) rests[b[c]]++;
-    if (++this.#restCount > FEW_RESTS) {
+    if (this.isCrowded) {
       yields[a[c]] = 1;
       if (b[c] !== SCENERY) yields[b[c]] = 1;
       this.cluster.clear(this.#flight.particles.capacity, this.#touches.count);
@@ -133,7 +133,7 @@ export class Rests {
 
   /** After an impact of two: what rests on them is supported anew. */
   relieve(i: number, j: number, now: number): void {
-    if (++this.#reliefCount > FEW_RELIEFS) {
+    if (this.isCrowded) {
       this.#putOff(now);
       this.cluster.clear(this.#flight.particles.capacity, this.#touches.count);
       return;
@@ -248,6 +248,7 @@ export class Rests {
   #solve(field: { x: Float64Array; y: Float64Array }, pushes: Float64Array, floor: number): void {
     const { touches, touchCount } = this.cluster;
     const { inverseMass } = this.#flight.particles;
+    this.#work += touchCount;
     this.#complementarity.solve(this.#touches, touches, touchCount, inverseMass, field, pushes, this.#bias, floor);
   }
 
