@@ -69,7 +69,7 @@ export const sunkBox: Scene<'depth' | 'pull' | 'share'> = {
   summary:
     'A small box is found inside a planet. To move both by half of the depth looks fair and is wrong: the planet would jump, and with every later step the box, which its weight presses in a little, would push it on. An immovable body has the inverse mass 0, so its part of the way is 0 and the box goes all of it. Here a share of the depth is resolved in each step, to be seen. Take the box and throw it.',
   lookFor:
-    'Both boxes come up to where they belong on the right; on the left it is the planet that gives way, and goes on to.',
+    'On the right the box comes up to its place; on the left it is the planet that gives way, and it never stops.',
   formula: String.raw`\Delta\mathbf p_a=\frac{m_a^{-1}}{m_a^{-1}+m_b^{-1}}\,d\,\hat{\mathbf n},\qquad m_b=\infty:\quad\Delta\mathbf p_a=d\,\hat{\mathbf n},\quad\Delta\mathbf p_b=\mathbf 0`,
   parameters: {
     depth: { label: 'Sunk in by', unit: 'm', min: 0.1, max: 1, step: 0.05, value: 0.8 },
