@@ -86,7 +86,7 @@ export const cablesLinked: Scene<'links' | 'slack' | 'mass'> = {
         for (const [n, knot] of knots.entries()) {
           const x = left + (post * (n + 1)) / links;
           Object.assign(knot, { x, y: height, vx: 0, vy: 0 });
-          Object.assign(lamps[n], { x, y: height - 0.1, vx: 1.6 + 0.15 * n, vy: 0 });
+          Object.assign(lamps[n], { x, y: height - 0.1, vx: left < 0 ? 1.6 + 0.15 * n : -0.9, vy: 0 });
         }
       }
     };

@@ -1,5 +1,6 @@
 import { aggregatesSquares } from './aggregates-squares.ts';
 import { aggregatesTriangles } from './aggregates-triangles.ts';
+import { billiards } from './billiards.ts';
 import { buoyancyExplained } from './buoyancy-explained.ts';
 import { buoyancyLiquids } from './buoyancy-liquids.ts';
 import { buoyancyMasses } from './buoyancy-masses.ts';
@@ -56,6 +57,7 @@ export const scenes: readonly Scene[] = [
   aggregatesTriangles,
   game,
   newtonsCradle,
+  billiards,
 ];
 
 /** The scene of an id; an error says which there are. */

@@ -128,6 +128,7 @@ export const rods: Scene<'load' | 'height' | 'speed'> = {
     const roller = world.addParticle({ x: 0, y: 0, radius: wheel, mass: Infinity, group: 1 });
     const load = world.addForce(new RollingLoad(lower));
     let travelled = 0.1 * span;
+    let statics = 0; // smoothed alike
 
     /** What each rod had to hold in the last step, smoothed over a few steps. */
     function measure(dt: number): void {
@@ -152,6 +153,7 @@ export const rods: Scene<'load' | 'height' | 'speed'> = {
       beforeStep(dt) {
         measure(dt);
         travelled = (travelled + values.speed * dt) % (2 * span);
+        statics += Math.min(1, 30 * dt) * (-middleMoment(load.weight, load.x) / height - statics);
         load.x = travelled < span ? travelled : 2 * span - travelled;
         load.weight = values.load * 1000;
         // The weight is drawn where it stands on the deck.
@@ -169,7 +171,7 @@ export const rods: Scene<'load' | 'height' | 'speed'> = {
       ],
       readouts: () => [
         { label: 'Middle of the upper chord', value: middle.force / 1000, unit: 'kN', digits: 1 },
-        { label: 'by statics', value: -middleMoment(load.weight, load.x) / height / 1000, unit: 'kN', digits: 1 },
+        { label: 'by statics', value: statics / 1000, unit: 'kN', digits: 1 },
         { label: 'Greatest strain', value: 100 * strainOf(members), unit: '%', digits: 3 },
       ],
     };
