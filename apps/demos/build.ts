@@ -92,20 +92,23 @@ function findAssets(metafile: Metafile, built: string, script: 'list' | 'scene',
     if (!found) throw new Error(`build: ${entry} must have an output; there is none.`);
     return found;
   };
-  const preload = new Set<string>();
-  const visit = (output: string): void => {
+  const importsOf = (output: string, found = new Set<string>()): Set<string> => {
     for (const { path, kind } of metafile.outputs[output].imports) {
-      if (kind !== 'import-statement' || preload.has(path)) continue;
-      preload.add(path);
-      visit(path);
+      if (kind !== 'import-statement' || found.has(path)) continue;
+      found.add(path);
+      importsOf(path, found);
     }
+    return found;
   };
   const output = outputOf(entries[script]);
-  visit(output);
+  const preload = importsOf(output);
+  const pixi = outputOf('src/stage/pixi-picture.ts');
+  const pixiPreload = [pixi, ...importsOf(pixi)].filter((path) => !preload.has(path));
   return {
     toRoot,
     script: address(output),
     preload: [...preload].map(address),
+    pixiPreload: pixiPreload.map(address),
     style: address(outputOf(entries.style)),
     formulaStyle: address(outputOf(entries.formula)),
   };

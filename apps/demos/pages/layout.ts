@@ -7,6 +7,8 @@ export interface Assets {
   readonly toRoot: string;
   readonly script: string;
   readonly preload: readonly string[];
+  /** What is loaded besides where the address asks for PixiJS. */
+  readonly pixiPreload: readonly string[];
   readonly style: string;
   readonly formulaStyle: string;
 }

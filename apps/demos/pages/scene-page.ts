@@ -19,7 +19,8 @@ export async function scenePage(scene: Scene, neighbours: Neighbours, assets: As
       title: `${scene.title} · Mass`,
       description: scene.lookFor,
       kind: 'scene',
-      head: html`<link rel="stylesheet" href="${assets.formulaStyle}" media="print" onload="this.media='all'">`,
+      head: html`<link rel="stylesheet" href="${assets.formulaStyle}" media="print" onload="this.media='all'">
+<script>${new Html(preloadPixi(assets))}</script>`,
       navigation: navigation(neighbours),
       main: html`<article data-scene="${scene.id}">
 <header class="opening">
@@ -53,6 +54,12 @@ ${onwards(neighbours)}`,
     },
     assets,
   );
+}
+
+/** Where the address asks for PixiJS, it is loaded beside the page's own script, not after it. */
+function preloadPixi({ pixiPreload }: Assets): string {
+  const links = `Object.assign(document.createElement('link'),{rel:'modulepreload',href:a})`;
+  return `if(/[?&]renderer=pixi\\b/.test(location.search))for(const a of ${JSON.stringify(pixiPreload)})document.head.append(${links})`;
 }
 
 function navigation({ previous, next }: Neighbours): Html {
