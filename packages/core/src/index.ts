@@ -81,6 +81,7 @@ export type { ParticleArrays } from './particles/particle-arrays.ts';
 export type { ParticleOptions } from './particles/particle-options.ts';
 export type { ParticleSpawner } from './particles/particle-spawner.ts';
 export type { SlotList } from './particles/slot-list.ts';
+export { impact } from './resolvers/impact/impact.ts';
 export type { Resolver } from './resolvers/resolver.ts';
 export type { SeverityOptions } from './resolvers/severity/severity.ts';
 export { severity } from './resolvers/severity/severity.ts';
