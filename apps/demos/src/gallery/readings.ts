@@ -41,7 +41,7 @@ export class Readings {
       this.#list.append(entry);
       this.#cells.set(label, cell);
     }
-    const text = value.toFixed(digits);
+    const text = Number.isNaN(value) ? '–' : value.toFixed(digits); // not measured yet
     if (cell.textContent !== text) cell.textContent = text;
   }
 }

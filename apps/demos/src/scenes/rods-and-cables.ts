@@ -19,7 +19,7 @@ export const rodsAndCables: Scene<'counterweight' | 'sling' | 'release'> = {
     sling: { label: 'Length of the sling', unit: 'm', min: 1.2, max: 2.6, step: 0.1, value: 2.2 },
     release: { label: 'Lets go at', unit: '°', min: 10, max: 70, step: 5, value: 40, live: true },
   },
-  show: { minX: -5.6, maxX: 27.2, minY: -1.5, maxY: 13.3 },
+  show: { minX: -6.7, maxX: 27.2, minY: -1.5, maxY: 13.3 },
   step: 1 / 480,
   draggable: true,
   poster: 1.35,
