@@ -1,6 +1,6 @@
 import { defineConfig } from 'vitest/config';
 
-/** Two projects: `unit` runs in seconds; `repository` packs, installs and bundles what is published, and takes its time. */
+/** Two projects: `unit` is the laws and the scenes; `repository` packs, installs and bundles what is published, and takes its time. */
 export default defineConfig({
   test: {
     allowOnly: !process.env.CI,
@@ -9,6 +9,7 @@ export default defineConfig({
         test: {
           name: 'unit',
           include: ['{packages,apps}/*/test/**/*.test.ts'],
+          testTimeout: 120_000, // nothing is timed: a busy machine must not make a scene fail
         },
       },
       {

@@ -22,9 +22,9 @@ async function sizeOf(program: string): Promise<number> {
 
 /** Programs that a game might be, and what each may weigh: what it weighs now and a little. Unit: kB. */
 const programs: [string, string, number][] = [
-  ['all of @mass/core', "export * from '@mass/core';", 36],
+  ['all of @mass/core', "export * from '@mass/core';", 37],
   ['fireworks', "export { Drag, Fireworks, FixedTimestep, Gravity, World } from '@mass/core';", 13],
-  ['a pile of discs', "export { DiscContacts, HalfPlane, World } from '@mass/core';", 11.5],
+  ['a pile of discs', "export { DiscContacts, HalfPlane, World } from '@mass/core';", 11.6],
   ['a rope', "export { rod, World } from '@mass/core';", 11.5],
 ];
 
