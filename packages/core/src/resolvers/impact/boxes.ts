@@ -1,7 +1,7 @@
 import type { Flight } from './flight.ts';
 
 /** Boxes reach farther than what is in them by this share of the radius, so that what nearly touches overlaps. */
-const MARGIN = 2e-4;
+const MARGIN = 0.11;
 
 /** The box around the way of each particle from now to the end of the step. */
 export class Boxes {

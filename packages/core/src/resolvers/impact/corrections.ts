@@ -19,6 +19,9 @@ const SEPARATED = 1e-15;
 /** A contact rests, as under severity, up to the closing speed of two steps' acceleration, and a little for rounding. */
 const RESTING_SLACK = 2.02;
 
+/** Touches as the step ends: those that are, those that were earlier in the step, and pairs that are only near. */
+type Which = 'now' | 'earlier' | 'near';
+
 /**
  * What is put right as a step ends: links and a game's own contacts, in velocity and position, together with what touches; and
  * what overlaps. All at once, not one after the other, so that a structure of rods holds together.
@@ -53,12 +56,16 @@ export class Corrections {
     contacts.clear(particles.count, sources.linkedPairs());
     gatherOthers(particles, sources, contacts, dt);
     const others = contacts.count;
-    this.#report(particles, sources, contacts, true);
+    this.#report(particles, sources, contacts, 'now');
     const together = contacts.count;
-    this.#report(particles, sources, contacts, false);
+    this.#report(particles, sources, contacts, 'earlier');
+    const { count, leftOut } = contacts;
+    if (crowded) this.#report(particles, sources, contacts, 'near');
     this.#reserve(contacts.count);
     if (others > 0 || crowded) this.#still(particles, contacts, together, dt, crowded);
     this.#separate(particles, contacts, others);
+    contacts.count = count;
+    contacts.leftOut = leftOut;
     for (let t = 0; t < this.#touches.count; t++) {
       const c = this.#contact[t];
       if (c >= 0) contacts.impulse[c] += this.#touches.impulse[t];
@@ -71,6 +78,7 @@ export class Corrections {
     const { count, a, b, gap, source, normalX, normalY } = touches;
     const { x, y, radius } = particles;
     if (this.#contact.length < count) this.#contact = new Int32Array(a.length);
+    this.#contact.fill(-1, 0, count);
     for (let t = 0; t < count; t++) {
       const i = a[t];
       touches.measure(t, particles);
@@ -80,26 +88,28 @@ export class Corrections {
     }
   }
 
-  /** Lists the touches that still are, or those that are no more. Reads the gaps. Adds contacts. */
+  /** Lists one kind of touches. Reads the gaps. Adds contacts. */
   #report(
     { radius, restitution }: ParticleStore,
     sources: ContactSources,
     contacts: ContactBuffer,
-    still: boolean,
+    which: Which,
   ): void {
-    const { count, a, b, gap, source, normalX, normalY, impulse } = this.#touches;
+    const touches = this.#touches;
+    const { count, a, b, gap, source, impulse } = touches;
+    const normalX = which === 'earlier' ? touches.hitX : touches.normalX;
+    const normalY = which === 'earlier' ? touches.hitY : touches.normalY;
     for (let t = 0; t < count; t++) {
       const i = a[t];
       const j = b[t];
       const reach = TOUCHING * (j === SCENERY ? radius[i] : Math.min(radius[i], radius[j]));
-      if (gap[t] <= reach !== still) continue;
-      this.#contact[t] = -1;
-      if (!still && impulse[t] === 0) continue; // was near, no more
+      const is = gap[t] <= reach ? 'now' : impulse[t] === 0 ? 'near' : 'earlier';
+      if (is !== which) continue;
       const other = j === SCENERY ? sources.shapes.list[source[t] - sources.links.length].restitution : restitution[j];
       contacts.currentSource = source[t];
       const c = contacts.count;
       contacts.push(i, j, normalX[t], normalY[t], -gap[t], Math.max(restitution[i], other));
-      if (contacts.count > c) this.#contact[t] = c;
+      if (contacts.count > c && which !== 'near') this.#contact[t] = c;
     }
   }
 

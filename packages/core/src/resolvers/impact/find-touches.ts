@@ -13,6 +13,7 @@ export function findDiscTouches(
   contacts: ContactBuffer,
   source: number,
   touches: Touches,
+  crowded: boolean,
 ): void {
   const { x, y, radius } = particles;
   for (let p = 0; p < pairs.count; p++) {
@@ -20,7 +21,7 @@ export function findDiscTouches(
     const j = pairs.slots[p * 2 + 1];
     const dx = x[i] - x[j];
     const dy = y[i] - y[j];
-    const reach = radius[i] + radius[j] + nearOf(Math.min(radius[i], radius[j]));
+    const reach = radius[i] + radius[j] + nearOf(Math.min(radius[i], radius[j]), crowded);
     if (dx * dx + dy * dy > reach * reach || contacts.areLinked(i, j)) continue;
     touches.addDiscs(i, j, source, particles);
   }
@@ -33,6 +34,7 @@ export function findShapeTouches(
   firstSource: number,
   places: Places,
   touches: Touches,
+  crowded: boolean,
 ): void {
   const { count, x, y, radius, inverseMass } = particles;
   for (let s = 0; s < shapes.length; s++) {
@@ -40,7 +42,7 @@ export function findShapeTouches(
     const { minX, minY, maxX, maxY } = shape;
     for (let i = 0; i < count; i++) {
       if (inverseMass[i] === 0) continue;
-      const near = nearOf(radius[i]);
+      const near = nearOf(radius[i], crowded);
       const reach = radius[i] + near;
       if (x[i] < minX - reach || x[i] > maxX + reach || y[i] < minY - reach || y[i] > maxY + reach) continue;
       const { gap, normalX, normalY } = places;

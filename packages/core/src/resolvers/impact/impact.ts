@@ -48,7 +48,7 @@ class ImpactResolver implements Resolver {
     this.#flight.finish();
     if (particles.damped) damp(particles, dt);
     if (!allFinite(particles)) return false;
-    if (this.#rests.isCrowded) this.#findTouches(simulation);
+    if (this.#rests.isCrowded) this.#findTouches(simulation, true);
     this.#corrections.apply(simulation, dt, this.#rests.isCrowded);
     return allFinite(particles);
   }
@@ -66,18 +66,18 @@ class ImpactResolver implements Resolver {
     touches.clear(particles.count);
     rests.begin();
     this.#schedule.begin(shapes, contacts, discs >= 0);
-    this.#findTouches(simulation);
+    this.#findTouches(simulation, false);
     if (touches.count === 0) return;
     rests.settleAll();
     this.#schedule.findPairs();
   }
 
   /** Finds what touches or nearly does now. Reads the flight. Adds touches. */
-  #findTouches({ sources, contacts }: Simulation): void {
+  #findTouches({ sources, contacts }: Simulation, crowded: boolean): void {
     const { pairs } = this.#schedule;
     this.#schedule.findPairs();
-    findShapeTouches(this.#flight, sources.shapes.list, sources.links.length, this.#places, this.#touches);
-    findDiscTouches(this.#flight, pairs, contacts, this.#discSource, this.#touches);
+    findShapeTouches(this.#flight, sources.shapes.list, sources.links.length, this.#places, this.#touches, crowded);
+    findDiscTouches(this.#flight, pairs, contacts, this.#discSource, this.#touches, crowded);
   }
 
   /** Takes one touch after the other until the step ends. Reads and writes all of the flight. */

@@ -65,6 +65,7 @@ export class Impacts {
   #hit(i: number, j: number, c: number, restitution: number, now: number): void {
     const closing = -this.#rests.separatingVelocity(c);
     const many = this.#count(i, j);
+    this.#touches.noteHit(c);
     if (closing <= this.#rests.restingSpeed(c)) {
       this.#rests.settle(c, now);
       return;

@@ -16,6 +16,9 @@ export class Touches {
   /** Unit normal, towards `a`. */
   normalX: Float64Array = new Float64Array(FIRST_CAPACITY);
   normalY: Float64Array = new Float64Array(FIRST_CAPACITY);
+  /** The normal as it was at the last impact. */
+  hitX: Float64Array = new Float64Array(FIRST_CAPACITY);
+  hitY: Float64Array = new Float64Array(FIRST_CAPACITY);
   /** Sum of the impulses so far, as if what supports now did so to the end of the step. Unit: N·s. */
   impulse: Float64Array = new Float64Array(FIRST_CAPACITY);
   /** How far the two were apart when that was last looked at. Unit: m. */
@@ -51,8 +54,10 @@ export class Touches {
   addDiscs(a: number, b: number, source: number, particles: ParticleArrays): number {
     let c = this.firstOf(a);
     while (c >= 0 && !(this.a[c] === b || this.b[c] === b)) c = this.nextOf(a, c);
-    if (c < 0) c = this.#append(a, b, source);
+    const isNew = c < 0;
+    if (isNew) c = this.#append(a, b, source);
     this.measure(c, particles);
+    if (isNew) this.noteHit(c);
     return c;
   }
 
@@ -60,12 +65,20 @@ export class Touches {
   addPlace(a: number, source: number, { x, y }: ParticleArrays, gap: number, nx: number, ny: number): number {
     let c = this.firstOf(a);
     while (c >= 0 && !this.#isPlace(c, source, nx, ny)) c = this.nextOf(a, c);
-    if (c < 0) c = this.#append(a, SCENERY, source);
+    const isNew = c < 0;
+    if (isNew) c = this.#append(a, SCENERY, source);
     this.normalX[c] = nx;
     this.normalY[c] = ny;
+    if (isNew) this.noteHit(c);
     this.gap[c] = gap;
     this.#offset[c] = gap - (x[a] * nx + y[a] * ny);
     return c;
+  }
+
+  /** Notes the normal as that of an impact. */
+  noteHit(c: number): void {
+    this.hitX[c] = this.normalX[c];
+    this.hitY[c] = this.normalY[c];
   }
 
   /**
@@ -98,7 +111,7 @@ export class Touches {
   isNear(c: number, { radius }: ParticleArrays): boolean {
     const ofFirst = radius[this.a[c]];
     const smaller = this.b[c] === SCENERY ? ofFirst : Math.min(ofFirst, radius[this.b[c]]);
-    return this.gap[c] <= nearOf(smaller);
+    return this.gap[c] <= nearOf(smaller, false);
   }
 
   #isPlace(c: number, source: number, normalX: number, normalY: number): boolean {
@@ -128,6 +141,8 @@ export class Touches {
     this.source = grown(this.source, new Int32Array(capacity));
     this.normalX = grown(this.normalX, new Float64Array(capacity));
     this.normalY = grown(this.normalY, new Float64Array(capacity));
+    this.hitX = grown(this.hitX, new Float64Array(capacity));
+    this.hitY = grown(this.hitY, new Float64Array(capacity));
     this.impulse = grown(this.impulse, new Float64Array(capacity));
     this.gap = grown(this.gap, new Float64Array(capacity));
     this.force = grown(this.force, new Float64Array(capacity));
