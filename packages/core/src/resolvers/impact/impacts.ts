@@ -70,7 +70,9 @@ export class Impacts {
       this.#rests.settle(c, now);
       return;
     }
-    this.#pass(c, closing * (1 + (many > MOST_IMPACTS ? 0 : restitution)));
+    const kept = many > MOST_IMPACTS ? 0 : restitution;
+    if (kept === 0) this.#rests.count(i, j); // on a surface that curves towards it, again at once
+    this.#pass(c, closing * (1 + kept));
     this.#rests.relieve(i, j, now);
   }
 

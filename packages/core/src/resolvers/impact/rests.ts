@@ -113,12 +113,18 @@ export class Rests {
     this.cluster.keepTurned(this.#flight);
   }
 
+  /** Counts that two came to rest on each other. */
+  count(i: number, j: number): void {
+    const { rests } = this.#flight;
+    rests[i]++;
+    if (j !== SCENERY) rests[j]++;
+  }
+
   /** A touch comes to rest: it is stilled and supported together with all that rests there. */
   settle(c: number, now: number): void {
     const { a, b } = this.#touches;
-    const { rests, yields } = this.#flight;
-    rests[a[c]]++;
-    if (b[c] !== SCENERY) rests[b[c]]++;
+    const { yields } = this.#flight;
+    this.count(a[c], b[c]);
     if (this.isCrowded) {
       yields[a[c]] = 1;
       if (b[c] !== SCENERY) yields[b[c]] = 1;

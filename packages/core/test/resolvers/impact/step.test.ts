@@ -21,7 +21,7 @@ describe('contacts and events', () => {
     expect([events[0].a, events[0].b]).toEqual([a, b]);
     expect([events[0].normalX, events[0].normalY]).toEqual([-1, 0]);
     expect(events[0].impulse).toBeCloseTo(12, 12);
-    world.step(0.1); // b hits the wall after 0.0667 s of its way
+    world.step(0.05); // b hits the wall after 0.0667 s of its way
     expect(told).toEqual(['discs', 'wall', 'discs end']);
     expect(events[1].source).toBe(wall);
     expect(events[1].a).toBe(b);
