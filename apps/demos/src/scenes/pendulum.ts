@@ -26,7 +26,7 @@ export const pendulum: Scene<'amplitude' | 'length' | 'mass'> = {
   step: 1 / 960,
   draggable: true,
   style: ({ accent, series, paper }) => ({
-    particle: { fill: accent, stroke: paper, strokeWidth: 1.5, trail: { seconds: 0.5, width: 5 } },
+    particle: { fill: accent, stroke: paper, strokeWidth: 1.5 },
     groups: { 1: { fill: series[1] } },
   }),
 
