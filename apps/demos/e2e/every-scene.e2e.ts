@@ -1,0 +1,219 @@
+// Every scene on both renderers, as a reader uses it: it opens, moves, is drawn, is dragged, its sliders and keys work, it
+// begins anew. One page load for each scene and renderer; the fixture fails a test on anything in the console.
+import type { Page } from 'playwright/test';
+import { scenes } from '../src/scenes/index.ts';
+import type { Scene } from '../src/scenes/scene.ts';
+import { expect, openScene, pause, read, renderers, test } from './gallery.ts';
+
+/** A machine may be slow; what is expected stays the same. Unit: ms. */
+const patience = { timeout: 60_000 };
+
+for (const renderer of renderers) {
+  for (const scene of scenes) {
+    test(`${scene.id} works on ${renderer}`, async ({ page }) => {
+      test.setTimeout(300_000);
+      await openScene(page, scene.id, renderer === 'pixi' ? '?renderer=pixi' : '');
+      await test.step('it moves', () => moves(page));
+      await test.step('it is drawn, as by the other renderer', () => isDrawn(page));
+      if (scene.draggable) await test.step('it can be dragged', () => isDragged(page));
+      for (const name of Object.keys(scene.parameters)) {
+        await test.step(`the slider of ${name} works`, () => sliderWorks(page, scene, name));
+      }
+      await test.step('its keys work', () => keysWork(page));
+      await test.step('it begins anew', () => beginsAnew(page));
+    });
+  }
+}
+
+async function moves(page: Page): Promise<void> {
+  const { time, frames } = await read(page, ({ world, frames }) => ({ time: world.time, frames }));
+  await expect.poll(() => read(page, ({ world }) => world.time), patience).toBeGreaterThan(time + 0.1);
+  await expect.poll(() => read(page, ({ frames }) => frames), patience).toBeGreaterThan(frames);
+}
+
+/** Pictures are compared cell by cell, since edges are smoothed differently: so many cells in a row. */
+const RASTER = 48;
+
+/** There is ink, and both renderers' pictures of the same paused state have it in the same places. */
+async function isDrawn(page: Page): Promise<void> {
+  await pause(page);
+  const { own, other, error } = await page.evaluate(async (columns) => {
+    const { stage, renderer } = window.mass as NonNullable<typeof window.mass>;
+    // Trails are what was drawn before: both renderers draw the same second from its start.
+    const play = (): void => {
+      stage.reset();
+      for (let n = 0; n < 20; n++) {
+        stage.skip(0.05);
+        for (const pane of stage.panes) pane.picture.draw(pane.world, pane.camera, 1);
+      }
+    };
+    // Drawn and read in one task: a WebGL canvas is empty again after it was painted.
+    const ink = (): number[][] =>
+      stage.panes.map(({ picture: { canvas } }) => {
+        const { width, height } = canvas;
+        const rows = Math.max(1, Math.round((columns * height) / width));
+        const copy = new OffscreenCanvas(width, height);
+        const context = copy.getContext('2d', { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D;
+        context.drawImage(canvas, 0, 0);
+        const { data } = context.getImageData(0, 0, width, height);
+        const cells: number[] = new Array(columns * rows).fill(0);
+        for (let y = 0; y < height; y++) {
+          for (let x = 0; x < width; x++) {
+            const cell = Math.floor((y * rows) / height) * columns + Math.floor((x * columns) / width);
+            cells[cell] += data[4 * (y * width + x) + 3] / 255;
+          }
+        }
+        return cells.map((sum) => sum / ((width / columns) * (height / rows)));
+      });
+    play();
+    const own = ink();
+    await stage.useRenderer(renderer === 'pixi' ? 'canvas2d' : 'pixi');
+    play();
+    const other = ink();
+    await stage.useRenderer(renderer);
+    return { own, other, error: stage.failed };
+  }, RASTER);
+  expect(error).toBe(false);
+  for (const [pane, cells] of own.entries()) {
+    const total = cells.reduce((sum, ink) => sum + ink, 0);
+    const apart = cells.reduce((sum, ink, n) => sum + Math.abs(ink - other[pane][n]), 0);
+    expect(total, 'ink, in cells').toBeGreaterThan(0.5);
+    expect(apart / total, 'share of the ink that is elsewhere').toBeLessThan(0.12);
+  }
+}
+
+/** A particle in the page: whose, where it is drawn, and whether anything but weight and liquid holds it. */
+interface Grip {
+  readonly pane: number;
+  readonly slot: number;
+  /** Units: CSS px of the window. */
+  readonly x: number;
+  readonly y: number;
+  readonly free: boolean;
+  /** Where there is room to drag it to. */
+  readonly goal: { readonly x: number; readonly y: number };
+}
+
+/**
+ * Takes a movable particle where it is drawn, drags it up and towards the middle, and lets it go. One that is free comes to
+ * within 10 CSS px of the pointer. One that links, springs or its body hold comes as near or moves towards it by 4 px and more.
+ */
+async function isDragged(page: Page): Promise<void> {
+  await page.keyboard.press('r');
+  await page.evaluate(() => window.scrollTo(0, 0));
+  // Some scenes let things in one after the other.
+  for (let n = 0; n < 5 && !(await findGrip(page)); n++) await read(page, ({ stage }) => stage.skip(0.5));
+  const grip = await findGrip(page);
+  if (!grip) throw new Error('A draggable scene must have something in sight that can be dragged; it has nothing.');
+  const { pane, goal } = grip;
+  await page.mouse.move(grip.x, grip.y);
+  await page.mouse.down();
+  const slot = await heldIn(page, pane);
+  expect(slot, 'the pointer holds a particle').toBeGreaterThanOrEqual(0);
+  const start = await placeOf(page, pane, slot);
+  await page.mouse.move(goal.x, goal.y, { steps: 5 });
+  await page.keyboard.press(' ');
+  const far = Math.hypot(goal.x - start.x, goal.y - start.y);
+  const near = grip.free ? 10 : Math.max(10, far - 4);
+  const left = async (): Promise<number> => {
+    const { x, y } = await placeOf(page, pane, slot);
+    return Math.hypot(goal.x - x, goal.y - y);
+  };
+  await expect.poll(left, { ...patience, message: `px between particle ${slot} and the pointer` }).toBeLessThan(near);
+  await page.mouse.up();
+  expect(await heldIn(page, pane), 'the hand is empty').toBe(-1);
+  await goesOn(page);
+}
+
+/** What is in the hand, as its slot; -1 for nothing. */
+function heldIn(page: Page, pane: number): Promise<number> {
+  return page.evaluate((index) => {
+    for (const force of window.mass?.stage.panes[index].world.forces ?? []) {
+      if ('moveTo' in force && 'held' in force) return (force.held as { slot: number } | undefined)?.slot ?? -1;
+    }
+    return -1;
+  }, pane);
+}
+
+/** Where a particle is drawn. Unit: CSS px of the window. */
+function placeOf(page: Page, pane: number, slot: number): Promise<{ x: number; y: number }> {
+  return page.evaluate(
+    ([index, at]) => {
+      const { camera, element, world } = (window.mass as NonNullable<typeof window.mass>).stage.panes[index];
+      const { left, top } = element.getBoundingClientRect();
+      const { x, y } = world.particles;
+      return { x: left + camera.toScreenX(x[at]), y: top + camera.toScreenY(y[at]) };
+    },
+    [pane, slot] as const,
+  );
+}
+
+/** The movable particle that is best to take: free if there is one, and near the middle of the picture. */
+function findGrip(page: Page): Promise<Grip | undefined> {
+  return page.evaluate(() => {
+    const grips: (Grip & { readonly rank: number })[] = [];
+    for (const [pane, { world, camera, element }] of (window.mass?.stage.panes ?? []).entries()) {
+      const { left, top, width, height } = element.getBoundingClientRect();
+      const heldSlots = new Set<number>();
+      for (const { a, b } of world.links) for (const end of [a, b]) if ('slot' in end) heldSlots.add(end.slot);
+      for (const body of world.bodies) for (const { slot } of body.particles) heldSlots.add(slot);
+      // Springs and bungees do not tell which particles they hold: where there are any, all may be held.
+      const sprung = world.forces.some((force) => 'add' in force && 'count' in force);
+      const { count, alive, inverseMass, x, y } = world.particles;
+      for (let slot = 0; slot < count; slot++) {
+        if (alive[slot] === 0 || inverseMass[slot] === 0) continue;
+        const [px, py] = [camera.toScreenX(x[slot]), camera.toScreenY(y[slot])];
+        if (px < 12 || px > width - 12 || py < 60 || py > height - 12) continue;
+        const free = !sprung && !heldSlots.has(slot);
+        const rank = (free ? 0 : 1e6) + Math.hypot(px - width / 2, py - height / 2);
+        const goal = { x: left + px + Math.sign(width / 2 - px || 1) * 40, y: top + py - 45 };
+        grips.push({ pane, slot, x: left + px, y: top + py, free, goal, rank });
+      }
+    }
+    return grips.sort((a, b) => a.rank - b.rank)[0];
+  });
+}
+
+/** Time passes, by itself or after the space bar, and nothing has failed. */
+async function goesOn(page: Page): Promise<void> {
+  if (!(await read(page, ({ stage }) => stage.playing))) await page.locator('#play').click();
+  const steps = await read(page, ({ world }) => world.stepCount);
+  await expect.poll(() => read(page, ({ world }) => world.stepCount), patience).not.toBe(steps);
+  await expect(page.getByRole('alert')).toBeHidden();
+  expect(await read(page, ({ stage }) => stage.playing && !stage.failed)).toBe(true);
+}
+
+/** One press of an arrow key: the value and the address change, and the scene goes on, in a new world unless the value is live. */
+async function sliderWorks(page: Page, scene: Scene, name: string): Promise<void> {
+  const { label, max, live = false } = scene.parameters[name];
+  const slider = page.getByRole('slider', { name: label, exact: true });
+  const value = (): Promise<number> => page.evaluate((key) => window.mass?.values[key] ?? Number.NaN, name);
+  const before = await value();
+  await page.evaluate(() => Object.assign(window, { worldBefore: window.mass?.world }));
+  await slider.focus();
+  await page.keyboard.press(before < max ? 'ArrowRight' : 'ArrowLeft');
+  await expect.poll(value, patience).not.toBe(before);
+  const now = await value();
+  await expect(page).toHaveURL((url) => url.searchParams.get(name) === String(now));
+  const stayed = await page.evaluate(() => (window as { worldBefore?: unknown }).worldBefore === window.mass?.world);
+  expect(stayed, live ? 'a live value leaves the world' : 'a value makes a new world').toBe(live);
+  await goesOn(page);
+}
+
+/** Each of the scene's own keys does something or nothing, but no harm. */
+async function keysWork(page: Page): Promise<void> {
+  await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+  const keys = await read(page, ({ setup }) => setup.actions?.map(({ key }) => key) ?? []);
+  expect(await page.locator('[data-key]').count()).toBe(keys.length);
+  for (const key of keys) {
+    await page.keyboard.press(key);
+    await goesOn(page);
+  }
+}
+
+async function beginsAnew(page: Page): Promise<void> {
+  await pause(page);
+  await page.keyboard.press('r');
+  await expect.poll(() => read(page, ({ world }) => world.stepCount)).toBe(0);
+  await goesOn(page);
+}
