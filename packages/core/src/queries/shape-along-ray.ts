@@ -4,8 +4,11 @@ import type { Ray } from './ray.ts';
 /** Nearer than this the surface is met. Unit: m. */
 const TOLERANCE = 1e-9;
 
-/** Most steps towards a surface: a ray that grazes it comes near in ever shorter ones. */
-const STEPS = 10_000;
+/** Least step, as a share of the ray: one that grazes a surface would come near in ever shorter ones. What is thinner may be missed. */
+const LEAST_STEP = 1e-5;
+
+/** Most of Newton's steps to a surface within the least step; one is enough where it is straight. */
+const NEWTON_STEPS = 16;
 
 /** Walks along a ray towards the surface of a shape, each time as far as the surface is away. */
 export class ShapeAlongRay implements SurfaceReport {
@@ -23,17 +26,29 @@ export class ShapeAlongRay implements SurfaceReport {
     const ray = this.#ray;
     const ux = ray.dx / ray.length;
     const uy = ray.dy / ray.length;
-    let along = this.#entry(shape);
-    for (let step = 0; step < STEPS && along <= ray.length; step++) {
+    const least = Math.max(TOLERANCE, LEAST_STEP * ray.length);
+    const at = (along: number) => {
       const x = ray.x + ux * along;
       const y = ray.y + uy * along;
       this.#look(shape, x, y, ray.length - along + TOLERANCE);
-      const leaving = this.#normalX * ux + this.#normalY * uy >= 0;
-      if (this.#distance < -TOLERANCE && step === 0) return undefined;
-      if (this.#distance <= TOLERANCE && !leaving) {
-        return { x, y, normalX: this.#normalX, normalY: this.#normalY, fraction: along / ray.length };
+      return { x, y, normalX: this.#normalX, normalY: this.#normalY, fraction: along / ray.length };
+    };
+    const start = this.#entry(shape);
+    for (let along = start, before = start; along <= ray.length; ) {
+      let met = at(along);
+      if (this.#distance < -TOLERANCE && along === start) return undefined;
+      const step = Math.max(this.#distance, least);
+      let towards = along;
+      for (let newton = 0; newton < NEWTON_STEPS; newton++) {
+        const closing = -(this.#normalX * ux + this.#normalY * uy);
+        if (!(closing > 0)) break;
+        if (Math.abs(this.#distance) <= TOLERANCE) return met;
+        towards += this.#distance / closing;
+        if (!(towards >= before && towards <= Math.min(along + step, ray.length))) break;
+        met = at(towards);
       }
-      along += Math.max(this.#distance, TOLERANCE);
+      before = along;
+      along += step;
     }
     return undefined;
   }

@@ -161,6 +161,16 @@ describe('a ray', () => {
     expect(castRay(world, { from: { x: 0, y: 0 }, to: { x: 7, y: 0 } })).toEqual([]);
   });
 
+  it('[Q3] that grazes a slope, ever so little, still finds where it comes down', () => {
+    const world = new World();
+    world.addShape(new HalfPlane({ normal: { x: -1, y: 1 } }));
+    for (const height of [10, 1, 0.1, 0.01, 0.001]) {
+      const hit = firstHit(world, { from: { x: 0, y: height }, to: { x: 100, y: 100 - height } });
+      expect(Math.abs((hit?.x ?? 0) - 50)).toBeLessThan(1e-7 / height);
+      expect(hit?.normalX).toBeCloseTo(-Math.SQRT1_2, 12);
+    }
+  });
+
   it('[Q3] that grazes a floor at one degree still finds where it comes down', () => {
     const world = new World();
     world.addShape(new HalfPlane());
