@@ -39,6 +39,7 @@ export class Complementarity {
    * @param pushes - By touch; where it starts from, which the field has in it already.
    * @param bias - By touch, or undefined for 0.
    * @param floor - Nothing below this counts as off, in the unit of the field.
+   * @returns How many sweeps it took.
    */
   solve(
     touches: Normals,
@@ -49,7 +50,7 @@ export class Complementarity {
     pushes: Float64Array,
     bias: Float64Array | undefined,
     floor: number,
-  ): void {
+  ): number {
     if (this.#change.length < count) {
       this.#change = new Float64Array(count * 2);
       this.#direction = new Float64Array(count * 2);
@@ -60,7 +61,7 @@ export class Complementarity {
     let before = Infinity;
     for (let sweep = 0; sweep < MOST_SWEEPS; sweep++) {
       const worst = this.#sweep(touches, list, count, inverseMass, field, pushes, bias);
-      if (worst <= tolerance) return;
+      if (worst <= tolerance) return sweep + 1;
       if (sweep === 0) tolerance = Math.max(floor, worst * TOLERANCE);
       let gradient = 0;
       for (let k = 0; k < count; k++) gradient += change[k] * change[k];
@@ -72,7 +73,8 @@ export class Complementarity {
         if (along !== 0) push(touches, list[k], inverseMass, field, pushes, along);
       }
     }
-    this.#sweep(touches, list, count, inverseMass, field, pushes, bias);
+    this.#sweep(touches, list, count, inverseMass, field, pushes, bias); // ends without a direction added
+    return MOST_SWEEPS + 1;
   }
 
   /** Puts each touch right in turn. Returns by how much the worst was off. */

@@ -27,6 +27,8 @@ export class Flight {
   turns: Int32Array = new Int32Array(0);
   /** Duration of the step. Unit: s. */
   duration = 0;
+  /** Whether any particle is accelerated. */
+  isDriven = false;
   /** A gap that counts as none, for the smallest disc. Unit: m. */
   slack = 0;
   #particles!: ParticleStore;
@@ -62,8 +64,10 @@ export class Flight {
     this.yields.fill(0, 0, count);
     let sum = 0;
     let smallest = Infinity;
+    this.isDriven = false;
     for (let i = 0; i < count; i++) {
       sum += x[i] + y[i] + (vx[i] + vy[i]) + (freeX[i] + freeY[i]);
+      if (freeX[i] !== 0 || freeY[i] !== 0) this.isDriven = true;
       if (inverseMass[i] !== 0) smallest = Math.min(smallest, radius[i]);
     }
     this.slack = slackOf(smallest);

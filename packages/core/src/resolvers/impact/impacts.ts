@@ -7,7 +7,7 @@ import { Tolerance } from './tolerance.ts';
 import type { Touches } from './touches.ts';
 
 /** Impacts of one particle in one step from which on it gives back nothing: an endless sequence, as far as can be told. */
-export const MOST_IMPACTS = 1000;
+export const MOST_IMPACTS = 500;
 
 /** Impacts of one particle in one step from which on it stands still, with its velocity, until the step ends. */
 const STANDSTILL = MOST_IMPACTS * 2;

@@ -10,10 +10,10 @@ const STILL_VELOCITY = 1e-10;
 const STILL_ACCELERATION = 1e-7;
 
 /**
- * Most touches to look after in a step, each time that one comes to rest or that what supports it is found anew, and all that
- * hang on it. Enough for all that happens to thirty discs; with more it is a crowd.
+ * Most looks at a touch in a step, to find what comes to rest and what supports it: about a millisecond. Enough for all that
+ * may happen to thirty discs at rest; with more it is a crowd.
  */
-const MOST_WORK = 2000;
+const MOST_WORK = 100_000;
 
 /** In a crowd the support is found anew this many times in a step. */
 const LATE_RELIEFS = 4;
@@ -139,8 +139,8 @@ export class Rests {
 
   /** After an impact of two: what rests on them is supported anew. */
   relieve(i: number, j: number, now: number): void {
-    if (this.isCrowded) {
-      this.#putOff(now);
+    if (this.isCrowded || !this.#flight.isDriven) {
+      if (this.#flight.isDriven) this.#dueTime = Math.min(this.#dueTime, now + this.#flight.duration / LATE_RELIEFS);
       this.cluster.clear(this.#flight.particles.capacity, this.#touches.count);
       return;
     }
@@ -159,10 +159,6 @@ export class Rests {
   #isSlow(c: number): boolean {
     const closing = -this.separatingVelocity(c);
     return closing <= CLOSING_EPSILON || closing <= this.restingSpeed(c);
-  }
-
-  #putOff(now: number): void {
-    this.#dueTime = Math.min(this.#dueTime, now + this.#flight.duration / LATE_RELIEFS);
   }
 
   /** Gathers all that rests and brings it to one time. */
@@ -254,8 +250,9 @@ export class Rests {
   #solve(field: { x: Float64Array; y: Float64Array }, pushes: Float64Array, floor: number): void {
     const { touches, touchCount } = this.cluster;
     const { inverseMass } = this.#flight.particles;
-    this.#work += touchCount;
-    this.#complementarity.solve(this.#touches, touches, touchCount, inverseMass, field, pushes, this.#bias, floor);
+    this.#work +=
+      touchCount *
+      this.#complementarity.solve(this.#touches, touches, touchCount, inverseMass, field, pushes, this.#bias, floor);
   }
 
   /** Takes away the support by a touch that rests no more. */

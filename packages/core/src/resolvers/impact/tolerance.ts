@@ -33,7 +33,7 @@ export class Tolerance {
 
   /** In a crowd: what closes no faster than the acceleration of a step makes it waits for the end of the step. */
   yield({ duration, particles: { radius } }: Flight, i: number, stepSpeed: number): void {
-    this.slowest = stepSpeed;
+    this.slowest = Math.max(this.slowest, stepSpeed);
     this.allowance = Math.max(this.allowance, Math.min(2 * stepSpeed * duration, radius[i] * DEEPEST));
   }
 }
