@@ -95,8 +95,9 @@ interface Grip {
 }
 
 /**
- * Takes a movable particle where it is drawn, drags it up and towards the middle, and lets it go. One that is free comes to
- * within 10 CSS px of the pointer. One that links, springs or its body hold comes as near or moves towards it by 4 px and more.
+ * Takes a movable particle where it is drawn, drags it up and towards the middle, or across the link that holds it, and lets
+ * it go. One that is free comes to within 10 CSS px of the pointer. One that links, springs or its body hold comes as near, or
+ * moves towards it by 4 px and more.
  */
 async function isDragged(page: Page): Promise<void> {
   await page.keyboard.press('r');
@@ -111,18 +112,30 @@ async function isDragged(page: Page): Promise<void> {
   const slot = await heldIn(page, pane);
   expect(slot, 'the pointer holds a particle').toBeGreaterThanOrEqual(0);
   const start = await placeOf(page, pane, slot);
-  await page.mouse.move(goal.x, goal.y, { steps: 5 });
   await page.keyboard.press(' ');
-  const far = Math.hypot(goal.x - start.x, goal.y - start.y);
-  const near = grip.free ? 10 : Math.max(10, far - 4);
-  const left = async (): Promise<number> => {
-    const { x, y } = await placeOf(page, pane, slot);
-    return Math.hypot(goal.x - x, goal.y - y);
-  };
-  await expect.poll(left, { ...patience, message: `px between particle ${slot} and the pointer` }).toBeLessThan(near);
+  if (grip.free) {
+    await page.mouse.move(goal.x, goal.y, { steps: 5 });
+    await expect.poll(async () => distance(await placeOf(page, pane, slot), goal), patience).toBeLessThan(10);
+  } else {
+    // The ground may be in the way on one side, but not on both: the pointer goes to and fro.
+    const goals = [{ x: 2 * start.x - goal.x, y: 2 * start.y - goal.y }, goal];
+    const nearer = async (): Promise<boolean> => {
+      const [to] = goals.reverse();
+      await page.mouse.move(to.x, to.y, { steps: 5 });
+      const time = await read(page, ({ world }) => world.time);
+      await page.waitForFunction((since) => (window.mass?.world.time ?? 0) > since + 0.5, time);
+      const left = distance(await placeOf(page, pane, slot), to);
+      return left < Math.max(10, distance(start, to) - 4);
+    };
+    await expect.poll(nearer, { ...patience, message: `particle ${slot} moves towards the pointer` }).toBe(true);
+  }
   await page.mouse.up();
   expect(await heldIn(page, pane), 'the hand is empty').toBe(-1);
   await goesOn(page);
+}
+
+function distance(a: { x: number; y: number }, b: { x: number; y: number }): number {
+  return Math.hypot(a.x - b.x, a.y - b.y);
 }
 
 /** What is in the hand, as its slot; -1 for nothing. */
@@ -154,9 +167,13 @@ function findGrip(page: Page): Promise<Grip | undefined> {
     const grips: (Grip & { readonly rank: number })[] = [];
     for (const [pane, { world, camera, element }] of (window.mass?.stage.panes ?? []).entries()) {
       const { left, top, width, height } = element.getBoundingClientRect();
-      const heldSlots = new Set<number>();
-      for (const { a, b } of world.links) for (const end of [a, b]) if ('slot' in end) heldSlots.add(end.slot);
-      for (const body of world.bodies) for (const { slot } of body.particles) heldSlots.add(slot);
+      // What holds a particle: the other end of its first link, or its body.
+      const holders = new Map<number, { readonly x: number; readonly y: number } | undefined>();
+      for (const { a, b } of world.links) {
+        if ('slot' in a && !holders.has(a.slot)) holders.set(a.slot, b);
+        if ('slot' in b && !holders.has(b.slot)) holders.set(b.slot, a);
+      }
+      for (const body of world.bodies) for (const { slot } of body.particles) holders.set(slot, undefined);
       // Springs and bungees do not tell which particles they hold: where there are any, all may be held.
       const sprung = world.forces.some((force) => 'add' in force && 'count' in force);
       const { count, alive, inverseMass, x, y } = world.particles;
@@ -164,9 +181,17 @@ function findGrip(page: Page): Promise<Grip | undefined> {
         if (alive[slot] === 0 || inverseMass[slot] === 0) continue;
         const [px, py] = [camera.toScreenX(x[slot]), camera.toScreenY(y[slot])];
         if (px < 12 || px > width - 12 || py < 60 || py > height - 12) continue;
-        const free = !sprung && !heldSlots.has(slot);
+        const free = !sprung && !holders.has(slot);
         const rank = (free ? 0 : 1e6) + Math.hypot(px - width / 2, py - height / 2);
-        const goal = { x: left + px + Math.sign(width / 2 - px || 1) * 40, y: top + py - 45 };
+        let [dx, dy] = [width / 2 < px ? -40 : 40, -45];
+        // Along a link nothing moves, however hard it is pulled: what hangs on one is pulled across it, and up.
+        const holder = holders.get(slot);
+        if (holder) {
+          const [rx, ry] = [camera.toScreenX(holder.x) - px, camera.toScreenY(holder.y) - py];
+          const scale = (rx * dy < ry * dx ? -60 : 60) / Math.max(1, Math.hypot(rx, ry));
+          [dx, dy] = [-ry * scale, rx * scale];
+        }
+        const goal = { x: left + px + dx, y: top + py + dy };
         grips.push({ pane, slot, x: left + px, y: top + py, free, goal, rank });
       }
     }

@@ -20,7 +20,7 @@ export const hero = {
 } as const;
 
 /** Scenes to begin with, below it. */
-export const featuredIds: readonly string[] = ['game', 'rods-and-cables', 'cables-hanging', 'aggregates-squares'];
+export const featuredIds: readonly string[] = ['game', 'billiards', 'rods-and-cables', 'cables-hanging'];
 
 /** Each chapter begins with a scene and lasts until the next one begins. */
 const beginnings = [
