@@ -17,8 +17,8 @@ export default defineConfig({
   retries: 0,
   // WebGL is drawn by the processor here: it is slow, and more workers than cores would starve each other.
   workers: 2,
-  timeout: 120_000,
-  expect: { timeout: 20_000 },
+  timeout: 240_000,
+  expect: { timeout: 60_000 },
   reporter: [['list']],
   use: {
     ...(baseURL && { baseURL: `${baseURL}/` }),
