@@ -57,6 +57,7 @@ export class Complementarity {
     }
     const direction = this.#direction;
     const change = this.#change;
+    direction.fill(0, 0, count);
     let tolerance = floor;
     let before = Infinity;
     for (let sweep = 0; sweep < MOST_SWEEPS; sweep++) {
@@ -65,13 +66,11 @@ export class Complementarity {
       if (sweep === 0) tolerance = Math.max(floor, worst * TOLERANCE);
       let gradient = 0;
       for (let k = 0; k < count; k++) gradient += change[k] * change[k];
-      const share = gradient > before ? 0 : gradient / before; // 0 at first: before is infinite
+      const share = sweep === 0 || gradient > before ? 0 : gradient / before;
       before = gradient;
-      for (let k = 0; k < count; k++) {
-        const along = sweep === 0 ? 0 : share * direction[k];
-        direction[k] = share === 0 && sweep > 0 ? 0 : along + change[k];
-        if (along !== 0) push(touches, list[k], inverseMass, field, pushes, along);
-      }
+      for (let k = 0; k < count; k++) direction[k] *= share;
+      if (share > 0) pushAll(touches, list, count, inverseMass, field, pushes, direction);
+      if (share > 0 || sweep === 0) for (let k = 0; k < count; k++) direction[k] += change[k];
     }
     this.#sweep(touches, list, count, inverseMass, field, pushes, bias); // ends without a direction added
     return MOST_SWEEPS + 1;
@@ -121,21 +120,46 @@ export class Complementarity {
   }
 }
 
-/** Adds to the push of one touch. Writes the field and the push. */
-export function push(
+/** Adds to the pushes. Writes the field and the pushes. */
+function pushAll(
+  { a, b, normalX, normalY }: Normals,
+  list: Int32Array,
+  count: number,
+  inverseMass: Float64Array,
+  { x, y }: Field,
+  pushes: Float64Array,
+  amounts: Float64Array,
+): void {
+  for (let k = 0; k < count; k++) {
+    const c = list[k];
+    const i = a[c];
+    const j = b[c];
+    const dx = amounts[k] * normalX[c];
+    const dy = amounts[k] * normalY[c];
+    pushes[c] += amounts[k];
+    x[i] += dx * inverseMass[i];
+    y[i] += dy * inverseMass[i];
+    if (j === SCENERY) continue;
+    x[j] -= dx * inverseMass[j];
+    y[j] -= dy * inverseMass[j];
+  }
+}
+
+/** Takes a push away. Writes the field and the push. */
+export function takeAway(
   { a, b, normalX, normalY }: Normals,
   c: number,
   inverseMass: Float64Array,
   { x, y }: Field,
   pushes: Float64Array,
-  amount: number,
 ): void {
   const i = a[c];
   const j = b[c];
-  pushes[c] += amount;
-  x[i] += amount * inverseMass[i] * normalX[c];
-  y[i] += amount * inverseMass[i] * normalY[c];
-  if (j === SCENERY) return;
-  x[j] -= amount * inverseMass[j] * normalX[c];
-  y[j] -= amount * inverseMass[j] * normalY[c];
+  x[i] -= pushes[c] * inverseMass[i] * normalX[c];
+  y[i] -= pushes[c] * inverseMass[i] * normalY[c];
+  if (j !== SCENERY) {
+    x[j] += pushes[c] * inverseMass[j] * normalX[c];
+    y[j] += pushes[c] * inverseMass[j] * normalY[c];
+  }
+  pushes[c] = 0;
 }

@@ -11,7 +11,7 @@ const MOST_ROUNDS = 128;
  * When two things that come near each other touch first, by conservative advancement (B. Mirtich and J. Canny, *Impulse-based
  * dynamic simulation*, 1994): within the time that the gap takes to close at the greatest speed they cannot touch. Near each
  * other, where this would take ever smaller strides, they advance by `stride`, a part of their size, and look: a gap that is
- * negative brackets the touch, one that was closing and now opens brackets its least. A bracket is narrowed by Newton's method,
+ * negative brackets the touch, one that was closing fast enough and now opens brackets its least. A bracket is narrowed by Newton's method,
  * and by halving where that leaves it, down to the last bit.
  *
  * Where they touch already the answer is now if they close, and else the time at which they will be in each other by more than
@@ -42,7 +42,7 @@ export function firstTouch(
     const nextRate = path.rate;
     if (nextGap === Infinity) return Infinity;
     if (nextGap < 0) return findTouch(path, level, time, next);
-    if (gap < shortest && rate < 0 && nextRate > 0) {
+    if (gap < shortest && gap < rate * (time - next) && nextRate > 0) {
       const nearest = findNearest(path, time, next);
       path.at(nearest);
       if (path.gap < level) return findTouch(path, level, time, nearest);

@@ -1,6 +1,6 @@
 import { SCENERY } from '../../contacts/contact-buffer.ts';
 import { Cluster } from './cluster.ts';
-import { Complementarity, push } from './complementarity.ts';
+import { Complementarity, takeAway } from './complementarity.ts';
 import type { Flight } from './flight.ts';
 import { CLOSING_EPSILON } from './tolerance.ts';
 import type { Touches } from './touches.ts';
@@ -259,7 +259,6 @@ export class Rests {
   #release(c: number, now: number): void {
     const { force, impulse } = this.#touches;
     impulse[c] -= force[c] * (this.#flight.duration - now);
-    push(this.#touches, c, this.#flight.particles.inverseMass, this.#acceleration, force, -force[c]);
-    force[c] = 0;
+    takeAway(this.#touches, c, this.#flight.particles.inverseMass, this.#acceleration, force);
   }
 }

@@ -101,7 +101,9 @@ describe('discs at rest on each other', () => {
     for (let i = 0; i < 20; i++) expect(Math.abs(vx[i]) + Math.abs(vy[i])).toBeLessThan(1e-3);
   });
 
-  it('[I15] 20 settle from other places and at other restitutions, and neither gain energy nor leave the box', { timeout: 60_000 }, () => {
+  it('[I15] 20 settle from other places and at other restitutions, and neither gain energy nor leave the box', {
+    timeout: 60_000,
+  }, () => {
     for (const [restitution, seed] of [
       [0, 1],
       [0.3, 2],
@@ -119,7 +121,9 @@ describe('discs at rest on each other', () => {
     }
   });
 
-  it('[I23] a crowd of 200 falls into a box, in a time that is bounded, and none leaves it', { timeout: 120_000 }, () => {
+  it('[I23] a crowd of 200 falls into a box, in a time that is bounded, and none leaves it', {
+    timeout: 120_000,
+  }, () => {
     const world = pile(200, 0.5, 6);
     const start = performance.now();
     for (let step = 0; step < 120; step++) world.step(1 / 60);
