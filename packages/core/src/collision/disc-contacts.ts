@@ -16,9 +16,9 @@ import { EARLY_SHARE } from './shape-contacts.ts';
 export class DiscContacts implements ContactGenerator {
   readonly #grid = new Grid();
 
-  /** Reads x, y, radius, inverseMass, restitution. Adds a contact for each pair that touches or nearly does. */
+  /** Reads x, y, radius, inverseMass, restitution, friction. Adds a contact for each pair that touches or nearly does. */
   addContacts(particles: ParticleArrays, contacts: Contacts): void {
-    const { x, y, radius, restitution } = particles;
+    const { x, y, radius, restitution, friction } = particles;
     const count = this.#grid.findPairs(particles, EARLY_SHARE);
     const { pairs } = this.#grid;
     for (let p = 0; p < count; p++) {
@@ -30,7 +30,8 @@ export class DiscContacts implements ContactGenerator {
       const distance = Math.sqrt(dx * dx + dy * dy);
       const nx = distance === 0 ? 0 : dx / distance; // concentric discs define no direction: any will do
       const ny = distance === 0 ? 1 : dy / distance;
-      contacts.add(i, j, nx, ny, radius[i] + radius[j] - distance, Math.max(restitution[i], restitution[j]));
+      const e = Math.max(restitution[i], restitution[j]);
+      contacts.add(i, j, nx, ny, radius[i] + radius[j] - distance, e, Math.sqrt(friction[i] * friction[j]));
     }
   }
 }

@@ -2,6 +2,13 @@
 export interface Shape {
   /** Share of the closing speed that is given back; of this and the particle's the greater counts. 0 to 1. */
   readonly restitution: number;
+  /** Coefficient of friction, 0 or more; of this and the particle's the geometric mean counts. @default 0 */
+  readonly friction?: number;
+  /**
+   * How fast the surface moves along the tangent (normalY, -normalX), to the right on a floor: a conveyor. It pulls by
+   * friction. Unit: m/s. @default 0
+   */
+  readonly surfaceSpeed?: number;
   /** The box around the shape, infinite where it has no end: particles farther off are not asked about. Unit: m. */
   readonly minX: number;
   readonly minY: number;

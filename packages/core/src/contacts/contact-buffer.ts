@@ -1,4 +1,4 @@
-import { describe, requireFinite, requireShare } from '../math/checks.ts';
+import { describe, requireFinite, requireNonNegative, requireShare } from '../math/checks.ts';
 import type { ContactArrays } from './contact-arrays.ts';
 import type { Contacts } from './contacts.ts';
 
@@ -6,6 +6,9 @@ const FIRST_CAPACITY = 64;
 
 /** The second particle of a contact with immovable scenery. */
 export const SCENERY = -1;
+
+/** The end of the edge of a contact whose second is no edge. */
+export const NO_EDGE = -1;
 
 /** The contacts of one step as typed arrays, in the order in which they were found. It grows; nothing is dropped. */
 export class ContactBuffer implements Contacts, ContactArrays {
@@ -17,12 +20,19 @@ export class ContactBuffer implements Contacts, ContactArrays {
   normalY: Float64Array = new Float64Array(FIRST_CAPACITY);
   penetration: Float64Array = new Float64Array(FIRST_CAPACITY);
   restitution: Float64Array = new Float64Array(FIRST_CAPACITY);
+  friction: Float64Array = new Float64Array(FIRST_CAPACITY);
+  surfaceSpeed: Float64Array = new Float64Array(FIRST_CAPACITY);
+  edgeEnd: Int32Array = new Int32Array(FIRST_CAPACITY);
+  edgeShare: Float64Array = new Float64Array(FIRST_CAPACITY);
   /** Sum of the impulses along the normal, written by the resolver. Unit: N·s. */
   impulse: Float64Array = new Float64Array(FIRST_CAPACITY);
+  tangentImpulse: Float64Array = new Float64Array(FIRST_CAPACITY);
   /** Where the contact comes from: see `ContactSources.at`. */
   source: Int32Array = new Int32Array(FIRST_CAPACITY);
 
   leftOut = 0;
+  /** How far ahead generators look. Unit: s. */
+  lookAhead = 0;
   /** Written to the contacts that are added: who finds them. */
   currentSource = 0;
   readonly #limit: number;
@@ -38,23 +48,43 @@ export class ContactBuffer implements Contacts, ContactArrays {
    * Forgets all contacts.
    * @param slotCount - How many slots the particles have: those that generators name must be below.
    * @param linkedPairs - Pairs of slots that a link joins, as `pairKey`.
+   * @param lookAhead - How far ahead generators look. Unit: s.
    */
-  clear(slotCount: number, linkedPairs: ReadonlySet<number>): void {
+  clear(slotCount: number, linkedPairs: ReadonlySet<number>, lookAhead = 0): void {
+    this.lookAhead = lookAhead;
     this.count = 0;
     this.leftOut = 0;
     this.#slotCount = slotCount;
     this.#linkedPairs = linkedPairs;
   }
 
-  add(a: number, b: number, normalX: number, normalY: number, penetration: number, restitution: number): void {
+  add(
+    a: number,
+    b: number,
+    normalX: number,
+    normalY: number,
+    penetration: number,
+    restitution: number,
+    friction = 0,
+    surfaceSpeed = 0,
+  ): void {
     this.#requireSlots(a, b);
     const before = this.count;
-    this.push(a, b, normalX, normalY, penetration, restitution);
+    this.push(a, b, normalX, normalY, penetration, restitution, friction, surfaceSpeed);
     if (this.count > before) this.#requireSound(before);
   }
 
   /** `add` without the checks, for our own generators. */
-  push(a: number, b: number, normalX: number, normalY: number, penetration: number, restitution: number): void {
+  push(
+    a: number,
+    b: number,
+    normalX: number,
+    normalY: number,
+    penetration: number,
+    restitution: number,
+    friction = 0,
+    surfaceSpeed = 0,
+  ): void {
     if (this.count >= this.#limit) {
       this.leftOut++;
       return;
@@ -67,8 +97,22 @@ export class ContactBuffer implements Contacts, ContactArrays {
     this.normalY[c] = normalY;
     this.penetration[c] = penetration;
     this.restitution[c] = restitution;
+    this.friction[c] = friction;
+    this.surfaceSpeed[c] = surfaceSpeed;
+    this.edgeEnd[c] = NO_EDGE;
     this.impulse[c] = 0;
+    this.tangentImpulse[c] = 0;
     this.source[c] = this.currentSource;
+  }
+
+  /**
+   * Makes the contact that was added last one with an edge, from its second particle to another.
+   * @param end - Slot of the other.
+   * @param share - Where on the edge, 0 at the second particle and 1 at the other.
+   */
+  makeEdge(end: number, share: number): void {
+    this.edgeEnd[this.count - 1] = end;
+    this.edgeShare[this.count - 1] = share;
   }
 
   areLinked(a: number, b: number): boolean {
@@ -90,13 +134,18 @@ export class ContactBuffer implements Contacts, ContactArrays {
   #requireSound(c: number): void {
     const penetration = this.penetration[c];
     const restitution = this.restitution[c];
+    const friction = this.friction[c];
+    const surfaceSpeed = this.surfaceSpeed[c];
     const nx = this.normalX[c];
     const ny = this.normalY[c];
     if (
       Math.abs(nx * nx + ny * ny - 1) < 1e-6 &&
       penetration - penetration === 0 &&
       restitution >= 0 &&
-      restitution <= 1
+      restitution <= 1 &&
+      friction >= 0 &&
+      friction < Infinity &&
+      surfaceSpeed - surfaceSpeed === 0
     ) {
       return;
     }
@@ -104,6 +153,8 @@ export class ContactBuffer implements Contacts, ContactArrays {
     requireUnitNormal('Contacts.add', nx, ny);
     requireFinite('Contacts.add', 'penetration', penetration, 'metres');
     requireShare('Contacts.add', 'restitution', restitution);
+    requireNonNegative('Contacts.add', 'friction', friction, '');
+    requireFinite('Contacts.add', 'surfaceSpeed', surfaceSpeed, 'metres per second');
   }
 
   #grow(capacity: number): void {
@@ -113,7 +164,12 @@ export class ContactBuffer implements Contacts, ContactArrays {
     this.normalY = grown(this.normalY, new Float64Array(capacity));
     this.penetration = grown(this.penetration, new Float64Array(capacity));
     this.restitution = grown(this.restitution, new Float64Array(capacity));
+    this.friction = grown(this.friction, new Float64Array(capacity));
+    this.surfaceSpeed = grown(this.surfaceSpeed, new Float64Array(capacity));
+    this.edgeEnd = grown(this.edgeEnd, new Int32Array(capacity));
+    this.edgeShare = grown(this.edgeShare, new Float64Array(capacity));
     this.impulse = grown(this.impulse, new Float64Array(capacity));
+    this.tangentImpulse = grown(this.tangentImpulse, new Float64Array(capacity));
     this.source = grown(this.source, new Int32Array(capacity));
   }
 }

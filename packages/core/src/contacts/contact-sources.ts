@@ -57,13 +57,16 @@ export class ContactSources {
     return generator < 0 ? this.shapes.list[shape] : this.generators.list[generator];
   }
 
-  /** Finds the contacts of this moment. Reads the particles. Writes the contacts. */
-  gather(contacts: ContactBuffer, dt: number): void {
+  /**
+   * Finds the contacts of this moment, and those that may come about soon. Reads the particles. Writes the contacts.
+   * @param lookAhead - How soon. Unit: s.
+   */
+  gather(contacts: ContactBuffer, dt: number, lookAhead = 0): void {
     const store = this.#store;
     const { links } = this;
     const shapes = this.shapes.list;
     const generators = this.generators.list;
-    contacts.clear(store.count, this.linkedPairs());
+    contacts.clear(store.count, this.linkedPairs(), lookAhead);
     let source = 0;
     for (let l = 0; l < links.length; l++) {
       contacts.currentSource = source++;

@@ -36,8 +36,12 @@ export interface ParticleArrays {
   readonly radius: Float64Array;
   /** Share of the closing speed that a hit gives back, 0 to 1; of two that hit the greater counts. */
   readonly restitution: Float64Array;
+  /** Coefficient of friction, static and kinetic, 0 or more; of two that touch the geometric mean counts. */
+  readonly friction: Float64Array;
   /** Time left until the world removes the particle; `Infinity` for ever. Set it by the handle. Unit: s. */
   readonly lifetime: Float64Array;
   /** A number of the game's own, 0 to 65535: styles choose by it, the physics never reads it. */
   readonly group: Uint16Array;
+  /** 1 where the particle sleeps: it rests, and is left out of the step until something wakes it. Written by the world alone. */
+  readonly asleep: Uint8Array;
 }

@@ -28,6 +28,11 @@ export interface ParticleOptions {
   radius?: number;
   /** Share of the closing speed that a hit gives back, 0 to 1; of two that hit the greater counts. @default 0 */
   restitution?: number;
+  /**
+   * Coefficient of friction, static and kinetic, 0 or more; of two that touch the geometric mean counts. A particle has no angle
+   * and does not roll: with friction a ball on a slope sticks or slides. @default 0
+   */
+  friction?: number;
   /** Time until the world removes the particle, more than 0. Unit: s. @default Infinity */
   lifetime?: number;
   /** A number of the game's own, 0 to 65535, for styles. @default 0 */
@@ -46,6 +51,7 @@ export function checkParticleOptions(where: string, options: ParticleOptions): v
     damping = 1,
     radius = 0,
     restitution = 0,
+    friction = 0,
     lifetime = Infinity,
     group = 0,
   } = options;
@@ -59,6 +65,7 @@ export function checkParticleOptions(where: string, options: ParticleOptions): v
   requireShare(where, 'damping', damping, '1 keeps all of the velocity.');
   requireNonNegative(where, 'radius', radius, 'metres');
   requireShare(where, 'restitution', restitution);
+  requireNonNegative(where, 'friction', friction, '');
   requirePositiveOrInfinite(where, 'lifetime', lifetime, 'seconds', 'Leave it out for a particle that stays.');
   requireInteger(where, 'group', group, 0, 65535);
 }
@@ -74,6 +81,7 @@ export function writeParticle(store: ParticleStore, slot: number, options: Parti
     damping = 1,
     radius = 0,
     restitution = 0,
+    friction = 0,
     lifetime = Infinity,
     group = 0,
   } = options;
@@ -86,6 +94,7 @@ export function writeParticle(store: ParticleStore, slot: number, options: Parti
   if (damping !== 1) store.damping[slot] = damping;
   store.radius[slot] = radius;
   store.restitution[slot] = restitution;
+  store.friction[slot] = friction;
   store.group[slot] = group;
   store.setLifetime(slot, lifetime);
 }

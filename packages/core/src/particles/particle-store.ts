@@ -36,8 +36,10 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
   inverseMass: Float64Array = new Float64Array(FIRST_CAPACITY);
   radius: Float64Array = new Float64Array(FIRST_CAPACITY);
   restitution: Float64Array = new Float64Array(FIRST_CAPACITY);
+  friction: Float64Array = new Float64Array(FIRST_CAPACITY);
   lifetime: Float64Array = new Float64Array(FIRST_CAPACITY);
   group: Uint16Array = new Uint16Array(FIRST_CAPACITY);
+  asleep: Uint8Array = new Uint8Array(FIRST_CAPACITY);
 
   readonly dampingPowers: DampingPowers = new DampingPowers();
   accelerated = false;
@@ -90,8 +92,10 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
     this.#damping[slot] = 1;
     this.radius[slot] = 0;
     this.restitution[slot] = 0;
+    this.friction[slot] = 0;
     this.lifetime[slot] = Infinity;
     this.group[slot] = 0;
+    this.asleep[slot] = 0;
     return slot;
   }
 
@@ -112,6 +116,7 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
     this.inverseMass[slot] = 0;
     this.radius[slot] = 0;
     this.lifetime[slot] = Infinity;
+    this.asleep[slot] = 0;
     this.#free[this.#freeCount++] = slot;
     if (this.living === 0) this.count = this.#freeCount = 0;
   }
@@ -163,8 +168,10 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
     this.#damping = grown(this.#damping, new Float64Array(capacity));
     this.radius = grown(this.radius, new Float64Array(capacity));
     this.restitution = grown(this.restitution, new Float64Array(capacity));
+    this.friction = grown(this.friction, new Float64Array(capacity));
     this.lifetime = grown(this.lifetime, new Float64Array(capacity));
     this.group = grown(this.group, new Uint16Array(capacity));
+    this.asleep = grown(this.asleep, new Uint8Array(capacity));
     this.#free = grown(this.#free, new Int32Array(capacity));
   }
 }

@@ -129,6 +129,15 @@ export class Particle {
     this.#of('restitution').restitution[this.slot] = value;
   }
 
+  /** Coefficient of friction, static and kinetic, 0 or more; of two that touch the geometric mean counts. */
+  get friction(): number {
+    return this.#of('friction').friction[this.slot];
+  }
+  set friction(value: number) {
+    requireNonNegative('Particle.friction', 'friction', value, '');
+    this.#of('friction').friction[this.slot] = value;
+  }
+
   /** Time left until the world removes the particle; `Infinity` for ever. Unit: s. */
   get lifetime(): number {
     return this.#of('lifetime').lifetime[this.slot];
