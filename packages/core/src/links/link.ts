@@ -1,6 +1,6 @@
 import type { ContactGenerator } from '../contacts/contact-generator.ts';
 import type { End } from '../particles/end.ts';
-import type { LinkSolver } from './link-solver.ts';
+import type { ParticleArrays } from '../particles/particle-arrays.ts';
 
 /**
  * Something that joins two ends by contacts. A game's own is made the same way: implement it, hand it to `World.addLink`.
@@ -19,4 +19,20 @@ export interface Link extends ContactGenerator {
    * @param force - What its contacts had to hold during the step. Unit: N.
    */
   breaksAt?(force: number): boolean;
+}
+
+/** Keeps links of one kind together, within the small steps of the sub-step resolver. Each world has one of its own for each kind. */
+export interface LinkSolver {
+  /** The impulse that each link held in the step so far, in the order of `setLinks`: positive pulls the ends together. Unit: N·s. */
+  readonly impulse: Float64Array;
+  /** Says which links to keep; called before a step when any came or went. */
+  setLinks(links: readonly Link[], particles: ParticleArrays): void;
+  /** Begins a step. Reads what may change between steps: lengths, masses, who sleeps. Clears the impulses. */
+  begin(particles: ParticleArrays): void;
+  /**
+   * Changes velocities so that the links have their lengths once the positions have moved on by `h`.
+   * Reads x, y, vx, vy, inverseMass. Writes vx, vy, impulse.
+   * @param h - Duration of the small step. Unit: s.
+   */
+  solve(particles: ParticleArrays, h: number): void;
 }
