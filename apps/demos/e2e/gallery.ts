@@ -32,12 +32,16 @@ export function read<T>(page: Page, of: (mass: MassOnPage) => T): Promise<T> {
   return page.evaluate(`(${of.toString()})(window.mass)`) as Promise<T>;
 }
 
-/** Opens a scene, and waits until it runs and its controls are there. */
+/**
+ * Opens a scene, and waits until it runs, its controls are there, and it is laid out: before that a camera knows no size, and
+ * no place in the window.
+ */
 export async function openScene(page: Page, id: string, query = ''): Promise<void> {
   await page.goto(`scenes/${id}/${query}`);
   await page.locator('[data-choice="renderer"] wa-radio').first().waitFor();
   const renderer = new URLSearchParams(query).get('renderer') ?? 'canvas2d';
   await expect.poll(() => read(page, (mass) => mass.renderer)).toBe(renderer);
+  await expect.poll(() => read(page, ({ stage }) => stage.panes.every(({ camera }) => camera.width > 0))).toBe(true);
 }
 
 /** Opens a scene and takes it back to its start, standing still. */

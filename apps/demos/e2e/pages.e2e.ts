@@ -96,7 +96,8 @@ test('the scene at the top of the list can be played with, and its view stays', 
       const { x, y } = stage.setup.world.particleAt(12);
       return { x: left + camera.toScreenX(x), y: top + camera.toScreenY(y), scale: camera.pixelsPerMetre };
     });
-  await expect.poll(() => page.evaluate(() => window.stages?.size ?? 0)).toBeGreaterThan(0);
+  const isLaidOut = () => page.evaluate(() => [...(window.stages?.values() ?? [])][0]?.panes[0].camera.width > 0);
+  await expect.poll(isLaidOut).toBe(true);
   const before = await find();
   await page.mouse.move(before.x, before.y);
   await page.mouse.down();
