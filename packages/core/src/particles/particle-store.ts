@@ -1,9 +1,12 @@
+import { growColumns } from '../math/columns.ts';
 import { DampingPowers } from './damping-powers.ts';
 import type { MotionArrays } from './motion-arrays.ts';
 import { Particle } from './particle.ts';
 import type { ParticleSlots } from './particle-slots.ts';
 
 const FIRST_CAPACITY = 64;
+
+const numbers = (): Float64Array => new Float64Array(FIRST_CAPACITY);
 
 /**
  * The particles of one world as typed arrays. A slot is stable for the life of its particle; freed slots are used again,
@@ -24,47 +27,44 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
 
   alive: Uint8Array = new Uint8Array(FIRST_CAPACITY);
   generation: Uint32Array = new Uint32Array(FIRST_CAPACITY);
-  x: Float64Array = new Float64Array(FIRST_CAPACITY);
-  y: Float64Array = new Float64Array(FIRST_CAPACITY);
-  previousX: Float64Array = new Float64Array(FIRST_CAPACITY);
-  previousY: Float64Array = new Float64Array(FIRST_CAPACITY);
-  vx: Float64Array = new Float64Array(FIRST_CAPACITY);
-  vy: Float64Array = new Float64Array(FIRST_CAPACITY);
-  fx: Float64Array = new Float64Array(FIRST_CAPACITY);
-  fy: Float64Array = new Float64Array(FIRST_CAPACITY);
-  mass: Float64Array = new Float64Array(FIRST_CAPACITY);
-  inverseMass: Float64Array = new Float64Array(FIRST_CAPACITY);
-  radius: Float64Array = new Float64Array(FIRST_CAPACITY);
-  restitution: Float64Array = new Float64Array(FIRST_CAPACITY);
-  friction: Float64Array = new Float64Array(FIRST_CAPACITY);
-  lifetime: Float64Array = new Float64Array(FIRST_CAPACITY);
+  x: Float64Array = numbers();
+  y: Float64Array = numbers();
+  previousX: Float64Array = numbers();
+  previousY: Float64Array = numbers();
+  vx: Float64Array = numbers();
+  vy: Float64Array = numbers();
+  fx: Float64Array = numbers();
+  fy: Float64Array = numbers();
+  mass: Float64Array = numbers();
+  inverseMass: Float64Array = numbers();
+  radius: Float64Array = numbers();
+  restitution: Float64Array = numbers();
+  friction: Float64Array = numbers();
+  lifetime: Float64Array = numbers();
   group: Uint16Array = new Uint16Array(FIRST_CAPACITY);
   asleep: Uint8Array = new Uint8Array(FIRST_CAPACITY);
 
   readonly dampingPowers: DampingPowers = new DampingPowers();
   accelerated = false;
   damped = false;
-  #ax: Float64Array = new Float64Array(FIRST_CAPACITY);
-  #ay: Float64Array = new Float64Array(FIRST_CAPACITY);
-  #damping: Float64Array = new Float64Array(FIRST_CAPACITY);
+  readonly #own = { ax: numbers(), ay: numbers(), damping: numbers(), free: new Int32Array(FIRST_CAPACITY) };
 
   readonly #handles: (Particle | undefined)[] = [];
-  #free: Int32Array = new Int32Array(FIRST_CAPACITY);
   #freeCount = 0;
 
   get ax(): Float64Array {
     this.accelerated = true;
-    return this.#ax;
+    return this.#own.ax;
   }
 
   get ay(): Float64Array {
     this.accelerated = true;
-    return this.#ay;
+    return this.#own.ay;
   }
 
   get damping(): Float64Array {
     this.damped = true;
-    return this.#damping;
+    return this.#own.damping;
   }
 
   /** How many particles fit before the arrays grow. */
@@ -75,11 +75,8 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
   /** A new particle at a place, at rest, with the default of everything else; returns its slot. */
   add(x: number, y: number): number {
     this.#requireUnlocked('added');
-    const slot = this.#freeCount > 0 ? this.#free[--this.#freeCount] : this.count;
-    if (slot === this.count) {
-      if (slot === this.capacity) this.#grow(this.capacity * 2);
-      this.count++;
-    }
+    const slot = this.#freeCount > 0 ? this.#own.free[--this.#freeCount] : this.count++;
+    if (this.count > this.capacity) this.reserve(this.capacity * 2);
     this.living++;
     this.version++;
     this.alive[slot] = 1;
@@ -87,9 +84,9 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
     this.y[slot] = this.previousY[slot] = y;
     this.vx[slot] = this.vy[slot] = 0;
     this.fx[slot] = this.fy[slot] = 0;
-    this.#ax[slot] = this.#ay[slot] = 0;
+    this.#own.ax[slot] = this.#own.ay[slot] = 0;
     this.mass[slot] = this.inverseMass[slot] = 1;
-    this.#damping[slot] = 1;
+    this.#own.damping[slot] = 1;
     this.radius[slot] = 0;
     this.restitution[slot] = 0;
     this.friction[slot] = 0;
@@ -117,7 +114,7 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
     this.radius[slot] = 0;
     this.lifetime[slot] = Infinity;
     this.asleep[slot] = 0;
-    this.#free[this.#freeCount++] = slot;
+    this.#own.free[this.#freeCount++] = slot;
     if (this.living === 0) this.count = this.#freeCount = 0;
   }
 
@@ -128,17 +125,15 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
 
   /** The handle of the particle that lives in a slot: the same object each time. */
   handle(slot: number): Particle {
-    let handle = this.#handles[slot];
-    if (handle === undefined) {
-      handle = new Particle(this, slot);
-      this.#handles[slot] = handle;
-    }
-    return handle;
+    this.#handles[slot] ??= new Particle(this, slot);
+    return this.#handles[slot];
   }
 
   /** Makes room for `capacity` particles in all. */
   reserve(capacity: number): void {
-    if (capacity > this.capacity) this.#grow(capacity);
+    if (capacity <= this.capacity) return;
+    growColumns(this, capacity);
+    growColumns(this.#own, capacity);
   }
 
   #requireUnlocked(verb: string): void {
@@ -149,34 +144,4 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
       );
     }
   }
-
-  #grow(capacity: number): void {
-    this.alive = grown(this.alive, new Uint8Array(capacity));
-    this.generation = grown(this.generation, new Uint32Array(capacity));
-    this.x = grown(this.x, new Float64Array(capacity));
-    this.y = grown(this.y, new Float64Array(capacity));
-    this.previousX = grown(this.previousX, new Float64Array(capacity));
-    this.previousY = grown(this.previousY, new Float64Array(capacity));
-    this.vx = grown(this.vx, new Float64Array(capacity));
-    this.vy = grown(this.vy, new Float64Array(capacity));
-    this.fx = grown(this.fx, new Float64Array(capacity));
-    this.fy = grown(this.fy, new Float64Array(capacity));
-    this.#ax = grown(this.#ax, new Float64Array(capacity));
-    this.#ay = grown(this.#ay, new Float64Array(capacity));
-    this.mass = grown(this.mass, new Float64Array(capacity));
-    this.inverseMass = grown(this.inverseMass, new Float64Array(capacity));
-    this.#damping = grown(this.#damping, new Float64Array(capacity));
-    this.radius = grown(this.radius, new Float64Array(capacity));
-    this.restitution = grown(this.restitution, new Float64Array(capacity));
-    this.friction = grown(this.friction, new Float64Array(capacity));
-    this.lifetime = grown(this.lifetime, new Float64Array(capacity));
-    this.group = grown(this.group, new Uint16Array(capacity));
-    this.asleep = grown(this.asleep, new Uint8Array(capacity));
-    this.#free = grown(this.#free, new Int32Array(capacity));
-  }
-}
-
-function grown<T extends { set(from: T): void }>(from: T, to: T): T {
-  to.set(from);
-  return to;
 }
