@@ -1,0 +1,88 @@
+import { spawn } from 'node:child_process';
+import { join } from 'node:path';
+import type { Engine } from './engine.ts';
+import type { Outcome } from './outcome.ts';
+import { median } from './statistics.ts';
+import type { Case, Values, Workload } from './workload.ts';
+
+/** Median, least and greatest over the rounds. */
+export interface Spread {
+  readonly median: number;
+  readonly low: number;
+  readonly high: number;
+}
+
+/** What all rounds of one engine came to in one case. */
+export interface Result {
+  readonly engine: string;
+  readonly values: Readonly<Record<string, Spread>>;
+  /** Why there is no result, or why it does not count. */
+  readonly failure?: string;
+  readonly unsound?: string;
+}
+
+/** Why an engine takes no part in a workload; nothing if it does. */
+export function whyNot({ needs }: Workload, { cannot = {} }: Engine): string | undefined {
+  return needs.map((ability) => cannot[ability]).find((reason) => reason !== undefined);
+}
+
+/** Runs each engine once a round, in turns, each run in a process of its own. An engine that failed is not tried again. */
+export async function runCase(
+  workload: Workload,
+  which: Case,
+  engines: readonly Engine[],
+  rounds: number,
+): Promise<Result[]> {
+  const runs = new Map<Engine, Values[]>(engines.map((engine) => [engine, []]));
+  const failures = new Map<Engine, string>();
+  for (const engine of engines) {
+    const reason = whyNot(workload, engine);
+    if (reason) failures.set(engine, reason);
+  }
+  for (let round = 0; round < rounds; round++) {
+    for (const engine of engines) {
+      if (failures.has(engine)) continue;
+      const outcome = await runInProcess(workload, which, engine);
+      if ('failure' in outcome) failures.set(engine, outcome.failure);
+      else runs.get(engine)?.push(outcome.values);
+    }
+  }
+  return engines.map((engine) => summarize(workload, engine, runs.get(engine) ?? [], failures.get(engine)));
+}
+
+function summarize(workload: Workload, engine: Engine, runs: readonly Values[], failure?: string): Result {
+  if (failure !== undefined || runs.length === 0)
+    return { engine: engine.id, values: {}, failure: failure ?? 'no run' };
+  const values: Record<string, Spread> = {};
+  const medians: Record<string, number> = {};
+  for (const name of Object.keys(workload.measures)) {
+    const all = runs.map((run) => run[name] ?? Number.NaN); // JSON has null for NaN
+    medians[name] = median(all);
+    values[name] = { median: medians[name], low: Math.min(...all), high: Math.max(...all) };
+  }
+  const unsound = workload.unsound?.(medians);
+  return { engine: engine.id, values, ...(unsound === undefined ? {} : { unsound }) };
+}
+
+function runInProcess(workload: Workload, which: Case, engine: Engine): Promise<Outcome> {
+  const flags = ['--no-warnings', ...(workload.nodeFlags ?? [])];
+  const args = [...flags, join(import.meta.dirname, 'run-one.ts'), workload.id, which.name, engine.id];
+  return new Promise((resolve) => {
+    const child = spawn(process.execPath, args, { stdio: ['ignore', 'pipe', 'pipe'] });
+    let output = '';
+    let errors = '';
+    child.stdout.on('data', (chunk: Buffer) => {
+      output += chunk.toString();
+    });
+    child.stderr.on('data', (chunk: Buffer) => {
+      errors += chunk.toString();
+    });
+    child.on('close', () => {
+      try {
+        resolve(JSON.parse(output.trimEnd().split('\n').at(-1) ?? ''));
+      } catch {
+        resolve({ failure: errors.trim().split('\n').at(-1) || 'ended without a result' });
+      }
+    });
+  });
+}
