@@ -1,12 +1,17 @@
+import type { ContactBuffer } from '../contacts/contact-buffer.ts';
 import type { ContactGenerator } from '../contacts/contact-generator.ts';
-import type { Contacts } from '../contacts/contacts.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
-import { Grid } from './grid.ts';
+import { NeighbourList } from './neighbour-list.ts';
 import { EARLY_SHARE } from './shape-contacts.ts';
+import { timeOfTouch } from './swept-discs.ts';
+
+/** Two discs that come nearer by more than this share of their radii while the world looks ahead are followed on their way. */
+const FAST_SHARE = 0.25;
 
 /**
- * Collision of particles with each other, as discs of their radius. Points (radius 0), two immovable ones, and particles
- * that a link joins do not collide. The greater restitution of the two counts.
+ * Collision of particles with each other, as discs of their radius. Points (radius 0), two immovable ones, two that sleep, and
+ * particles that a link joins do not collide. The greater restitution of the two counts, and the geometric mean of their
+ * frictions. Contacts come in the order of the slots.
  *
  * @example
  * ```ts
@@ -14,24 +19,62 @@ import { EARLY_SHARE } from './shape-contacts.ts';
  * ```
  */
 export class DiscContacts implements ContactGenerator {
-  readonly #grid = new Grid();
+  readonly #neighbours = new NeighbourList();
 
-  /** Reads x, y, radius, inverseMass, restitution, friction. Adds a contact for each pair that touches or nearly does. */
-  addContacts(particles: ParticleArrays, contacts: Contacts): void {
-    const { x, y, radius, restitution, friction } = particles;
-    const count = this.#grid.findPairs(particles, EARLY_SHARE);
-    const { pairs } = this.#grid;
-    for (let p = 0; p < count; p++) {
-      const i = pairs[p * 2];
-      const j = pairs[p * 2 + 1];
-      if (contacts.areLinked(i, j)) continue;
-      const dx = x[i] - x[j];
-      const dy = y[i] - y[j];
-      const distance = Math.sqrt(dx * dx + dy * dy);
-      const nx = distance === 0 ? 0 : dx / distance; // concentric discs define no direction: any will do
-      const ny = distance === 0 ? 1 : dy / distance;
-      const e = Math.max(restitution[i], restitution[j]);
-      contacts.add(i, j, nx, ny, radius[i] + radius[j] - distance, e, Math.sqrt(friction[i] * friction[j]));
+  /**
+   * Reads x, y, vx, vy, radius, inverseMass, restitution, friction, asleep. Adds a contact for each pair that touches, nearly does,
+   * or will within the time that the contacts look ahead.
+   */
+  addContacts(particles: ParticleArrays, contacts: ContactBuffer): void {
+    const { count, x, y, vx, vy, radius, inverseMass, restitution, friction, asleep } = particles;
+    const { lookAhead, margin } = contacts;
+    const room = contacts.reserve(this.#neighbours.update(particles, contacts));
+    const { first, other, reach } = this.#neighbours;
+    const { a, b, normalX, normalY, penetration } = contacts;
+    let c = contacts.count;
+    for (let i = 0; i < count; i++) {
+      for (let n = first[i]; n < first[i + 1]; n++) {
+        const j = other[n];
+        const dx = x[i] - x[j];
+        const dy = y[i] - y[j];
+        const near = reach[i] + reach[j];
+        const square = dx * dx + dy * dy;
+        if (square >= near * near) continue;
+        if (inverseMass[i] + inverseMass[j] === 0 || asleep[i] + asleep[j] === 2) continue;
+        const sum = radius[i] + radius[j];
+        let distance = Math.sqrt(square);
+        // Concentric discs define no direction: any will do.
+        let nx = distance === 0 ? 0 : dx / distance;
+        let ny = distance === 0 ? 1 : dy / distance;
+        if (distance >= sum * (1 + EARLY_SHARE) + margin) {
+          const ux = (vx[i] - vx[j]) * lookAhead;
+          const uy = (vy[i] - vy[j]) * lookAhead;
+          if (ux * ux + uy * uy > sum * sum * FAST_SHARE * FAST_SHARE) {
+            // Fast: the normal is that of the place where they will touch; those that pass by do not.
+            const share = timeOfTouch(dx, dy, ux, uy, sum + margin);
+            if (!(share <= 1)) continue;
+            const tx = dx + ux * share;
+            const ty = dy + uy * share;
+            const length = Math.sqrt(tx * tx + ty * ty);
+            nx = tx / length;
+            ny = ty / length;
+            distance = dx * nx + dy * ny;
+          } else if (distance + ux * nx + uy * ny >= sum + margin) continue;
+        }
+        if (c === room) {
+          contacts.leftOut++;
+          continue;
+        }
+        a[c] = i;
+        b[c] = j;
+        normalX[c] = nx;
+        normalY[c] = ny;
+        penetration[c] = sum - distance;
+        contacts.restitution[c] = Math.max(restitution[i], restitution[j]);
+        contacts.friction[c] = friction[i] === friction[j] ? friction[i] : Math.sqrt(friction[i] * friction[j]);
+        c++;
+      }
     }
+    contacts.finish(c);
   }
 }

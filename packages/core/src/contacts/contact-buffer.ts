@@ -33,6 +33,10 @@ export class ContactBuffer implements Contacts, ContactArrays {
   leftOut = 0;
   /** How far ahead generators look. Unit: s. */
   lookAhead = 0;
+  /** What is nearer than this is added too: how far a thing at rest may get within that time. Unit: m. */
+  margin = 0;
+  /** Grows whenever the linked pairs change. */
+  linkVersion = 0;
   /** Written to the contacts that are added: who finds them. */
   currentSource = 0;
   readonly #limit: number;
@@ -48,10 +52,8 @@ export class ContactBuffer implements Contacts, ContactArrays {
    * Forgets all contacts.
    * @param slotCount - How many slots the particles have: those that generators name must be below.
    * @param linkedPairs - Pairs of slots that a link joins, as `pairKey`.
-   * @param lookAhead - How far ahead generators look. Unit: s.
    */
-  clear(slotCount: number, linkedPairs: ReadonlySet<number>, lookAhead = 0): void {
-    this.lookAhead = lookAhead;
+  clear(slotCount: number, linkedPairs: ReadonlySet<number>): void {
     this.count = 0;
     this.leftOut = 0;
     this.#slotCount = slotCount;
@@ -113,6 +115,24 @@ export class ContactBuffer implements Contacts, ContactArrays {
   makeEdge(end: number, share: number): void {
     this.edgeEnd[this.count - 1] = end;
     this.edgeShare[this.count - 1] = share;
+  }
+
+  /** Makes room for more. Returns for how many there is room at the end: the limit is kept. */
+  reserve(more: number): number {
+    let capacity = this.a.length;
+    while (capacity < this.count + more) capacity *= 2;
+    if (capacity > this.a.length) this.#grow(capacity);
+    return Math.min(capacity, this.#limit);
+  }
+
+  /** Ends the writing of contacts of two particles straight into the arrays, up to a new count. */
+  finish(count: number): void {
+    this.surfaceSpeed.fill(0, this.count, count);
+    this.edgeEnd.fill(NO_EDGE, this.count, count);
+    this.impulse.fill(0, this.count, count);
+    this.tangentImpulse.fill(0, this.count, count);
+    this.source.fill(this.currentSource, this.count, count);
+    this.count = count;
   }
 
   areLinked(a: number, b: number): boolean {

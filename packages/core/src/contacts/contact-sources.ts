@@ -23,6 +23,7 @@ export class ContactSources {
   readonly #shapeContacts = new ShapeContacts();
   #removals = 0;
   #pairsAreOld = false;
+  #linkVersion = 0;
 
   constructor(store: ParticleStore) {
     this.#store = store;
@@ -57,16 +58,14 @@ export class ContactSources {
     return generator < 0 ? this.shapes.list[shape] : this.generators.list[generator];
   }
 
-  /**
-   * Finds the contacts of this moment, and those that may come about soon. Reads the particles. Writes the contacts.
-   * @param lookAhead - How soon. Unit: s.
-   */
-  gather(contacts: ContactBuffer, dt: number, lookAhead = 0): void {
+  /** Finds the contacts of this moment, and those that the buffer looks ahead to. Reads the particles. Writes the contacts. */
+  gather(contacts: ContactBuffer, dt: number): void {
     const store = this.#store;
     const { links } = this;
     const shapes = this.shapes.list;
     const generators = this.generators.list;
-    contacts.clear(store.count, this.linkedPairs(), lookAhead);
+    contacts.clear(store.count, this.linkedPairs());
+    contacts.linkVersion = this.#linkVersion;
     let source = 0;
     for (let l = 0; l < links.length; l++) {
       contacts.currentSource = source++;
@@ -96,6 +95,7 @@ export class ContactSources {
     if (!this.#pairsAreOld) return this.#linkedPairs;
     this.#pairsAreOld = false;
     this.#linkedPairs.clear();
+    this.#linkVersion++;
     for (const link of this.#links.list) {
       const a = particleOf(link.a);
       const b = particleOf(link.b);

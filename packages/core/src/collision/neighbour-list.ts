@@ -1,0 +1,104 @@
+import type { ContactBuffer } from '../contacts/contact-buffer.ts';
+import type { ParticleArrays } from '../particles/particle-arrays.ts';
+import { NeighbourGrid } from './neighbour-grid.ts';
+import { EARLY_SHARE } from './shape-contacts.ts';
+
+/** How far a disc may go before its neighbours are looked for again, as a share of its radius. */
+const SKIN = 0.15;
+
+/**
+ * Pairs of discs that may touch in the coming step, kept from step to step until one has gone farther than its skin
+ * (L. Verlet: Computer "Experiments" on Classical Fluids, 1967). They are sorted by slot: those of slot i are `other[first[i]]`
+ * to `other[first[i + 1] - 1]`, all higher than i.
+ */
+export class NeighbourList {
+  first: Int32Array = new Int32Array(1);
+  other: Int32Array = new Int32Array(0);
+  /** How far each disc reaches in the coming step: its radius, a little more, and its way. Unit: m. */
+  reach: Float64Array = new Float64Array(0);
+  readonly #grid = new NeighbourGrid();
+  /** Where each disc was when the list was made, and how far it might reach from there. Unit: m. */
+  #x = new Float64Array(0);
+  #y = new Float64Array(0);
+  #allowed = new Float64Array(0);
+  #version = -1;
+  #linkVersion = -1;
+
+  /** Brings the list up to date. Reads x, y, vx, vy, radius. Writes the list. Returns how many pairs it has. */
+  update(particles: ParticleArrays, contacts: ContactBuffer): number {
+    const { count, version } = particles;
+    if (this.reach.length < count) this.#reserve(count * 2);
+    const old = version !== this.#version || contacts.linkVersion !== this.#linkVersion;
+    if (!this.#reachOut(particles, contacts) || old) {
+      this.#rebuild(particles, contacts);
+      this.#version = version;
+      this.#linkVersion = contacts.linkVersion;
+    }
+    return this.first[count];
+  }
+
+  /** Finds how far each disc reaches. Returns whether each stays within what it was allowed when the list was made. */
+  #reachOut({ count, x, y, vx, vy, radius }: ParticleArrays, { lookAhead, margin }: ContactBuffer): boolean {
+    const { reach } = this;
+    const bx = this.#x;
+    const by = this.#y;
+    const allowed = this.#allowed;
+    let within = true;
+    for (let i = 0; i < count; i++) {
+      const r = radius[i];
+      const way = (Math.abs(vx[i]) + Math.abs(vy[i])) * lookAhead;
+      reach[i] = r === 0 ? 0 : r * (1 + EARLY_SHARE) + margin + way;
+      if (Math.abs(x[i] - bx[i]) + Math.abs(y[i] - by[i]) + reach[i] > allowed[i]) within = false;
+    }
+    return within;
+  }
+
+  #rebuild(particles: ParticleArrays, contacts: ContactBuffer): void {
+    const { count, x, y, radius } = particles;
+    const allowed = this.#allowed;
+    for (let i = 0; i < count; i++) {
+      this.#x[i] = x[i];
+      this.#y[i] = y[i];
+      allowed[i] = this.reach[i] + SKIN * radius[i];
+    }
+    this.#grid.findPairs(count, x, y, allowed);
+    this.#sort(count, contacts);
+  }
+
+  /** Sorts the pairs of the grid by both slots, without those that a link holds. */
+  #sort(count: number, contacts: ContactBuffer): void {
+    const { a, b, pairCount } = this.#grid;
+    const { first } = this;
+    if (this.other.length < pairCount) this.other = new Int32Array(pairCount * 2);
+    const { other } = this;
+    first.fill(0, 0, count + 1);
+    for (let p = 0; p < pairCount; p++) {
+      if (contacts.areLinked(a[p], b[p])) a[p] = -1;
+      else first[a[p]]++;
+    }
+    for (let i = 0, sum = 0; i <= count; i++) {
+      sum += first[i];
+      first[i] = sum;
+    }
+    for (let p = 0; p < pairCount; p++) if (a[p] >= 0) other[--first[a[p]]] = b[p];
+    for (let i = 0; i < count; i++) sortFew(other, first[i], first[i + 1]);
+  }
+
+  #reserve(count: number): void {
+    this.first = new Int32Array(count + 1);
+    this.reach = new Float64Array(count);
+    this.#x = new Float64Array(count);
+    this.#y = new Float64Array(count);
+    this.#allowed = new Float64Array(count).fill(-Infinity);
+  }
+}
+
+/** Sorts a few numbers in place, by insertion. */
+function sortFew(list: Int32Array, start: number, end: number): void {
+  for (let k = start + 1; k < end; k++) {
+    const value = list[k];
+    let place = k;
+    for (; place > start && list[place - 1] > value; place--) list[place] = list[place - 1];
+    list[place] = value;
+  }
+}
