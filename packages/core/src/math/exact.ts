@@ -1,5 +1,5 @@
 /**
- * Logarithm, exponential and power from exactly specified arithmetic alone (+ - * / and bit patterns), so that every
+ * Logarithm, exponential and power from exactly specified arithmetic alone (+ - * /), so that every
  * JavaScript engine gives the same bits. ECMAScript leaves the last bits of `Math.log`, `Math.exp` and `Math.pow` to the
  * engine, which is why a step cannot use them.
  *
@@ -12,13 +12,12 @@ const LN2_HIGH = 6.9314718036912381649e-1; // the upper 33 bits of ln 2
 const LN2_LOW = 1.90821492927058770002e-10; // ln 2 less its upper part
 const SQRT2 = 1.4142135623730951;
 
-const bits = new DataView(new ArrayBuffer(8));
-
-/** 2 to the power of a whole number from -1022 to 1023. */
+/** 2 to the power of a whole number: exact, since each factor is. */
 function powerOfTwo(exponent: number): number {
-  bits.setUint32(0, (exponent + 1023) << 20);
-  bits.setUint32(4, 0);
-  return bits.getFloat64(0);
+  let power = 1;
+  for (let n = exponent; n > 0; n--) power *= 2;
+  for (let n = exponent; n < 0; n++) power /= 2;
+  return power;
 }
 
 /**
@@ -28,16 +27,10 @@ export function log(value: number): number {
   if (value === 0) return -Infinity;
   if (!(value > 0)) return NaN;
   if (value === Infinity) return Infinity;
-  const subnormal = value < 2.2250738585072014e-308;
-  bits.setFloat64(0, subnormal ? value * 18014398509481984 : value);
-  const high = bits.getUint32(0);
-  let exponent = (high >>> 20) - (subnormal ? 1077 : 1023);
-  bits.setUint32(0, (high & 0x000fffff) | 0x3ff00000);
-  let mantissa = bits.getFloat64(0); // 1 <= mantissa < 2
-  if (mantissa > SQRT2) {
-    mantissa /= 2;
-    exponent += 1;
-  }
+  let mantissa = value; // value = mantissa·2^exponent with √2 / 2 < mantissa <= √2
+  let exponent = 0;
+  for (; mantissa > SQRT2; exponent++) mantissa /= 2;
+  for (; mantissa <= SQRT2 / 2; exponent--) mantissa *= 2;
   const f = mantissa - 1; // exact, unlike s: so 2·s is written as f - f²/2 + s·f²/2, whose greatest part has no error
   const s = f / (2 + f);
   const q = s * s; // at most 0.0295: eleven terms reach the last bit
@@ -49,15 +42,14 @@ export function log(value: number): number {
 
 /** e to the power of a number; 0 when too small to be a number, Infinity when too large. Within 1.1 units in the last place. */
 export function exp(value: number): number {
-  if (value > 709.782712893384) return Infinity;
-  if (value < -745.1332191019412) return 0;
+  if (value > 710) return Infinity;
+  if (value < -746) return 0;
   const k = Math.floor(value / (LN2_HIGH + LN2_LOW) + 0.5);
   const r = value - k * LN2_HIGH - k * LN2_LOW;
   let series = 1;
   for (let n = 14; n >= 1; n--) series = 1 + (r / n) * series;
-  if (k > 1023) return series * 2 * powerOfTwo(k - 1);
-  if (k < -1022) return series * powerOfTwo(k + 54) * powerOfTwo(-54);
-  return series * powerOfTwo(k);
+  const half = Math.floor(k / 2); // in two steps: 2^k itself may be too large or too small for a number
+  return series * powerOfTwo(half) * powerOfTwo(k - half);
 }
 
 /**
@@ -65,7 +57,5 @@ export function exp(value: number): number {
  * Within 1.1 + 3·|exponent·ln base| units in the last place: the error of exp, and that of its argument, which it magnifies.
  */
 export function pow(base: number, exponent: number): number {
-  if (exponent === 0 || base === 1) return 1;
-  if (base === 0) return exponent > 0 ? 0 : Infinity;
-  return exp(exponent * log(base));
+  return exponent === 0 ? 1 : exp(exponent * log(base));
 }
