@@ -44,6 +44,42 @@ for (const renderer of renderers) {
     const { x, y } = await read(page, ({ world }) => ({ x: world.particleAt(1).x, y: world.particleAt(1).y }));
     expect(Math.hypot(x - 9, y - 12)).toBeLessThan(0.1);
   });
+
+  test(`a rocket bursts where it is held, and a click on one sets another off, on ${renderer}`, async ({ page }) => {
+    await openAtStart(page, 'fireworks', `?sparks=500&rate=0${query}`);
+    const rocketInWindow = async () => {
+      // What was in the sky before is gone when the rocket rises.
+      await read(page, ({ stage }) => stage.skip(6));
+      await page.keyboard.press('2');
+      const { x, y } = await read(page, ({ stage, world: { particles } }) => {
+        stage.skip(0.5);
+        const slot = particles.group.findIndex((group, n) => group === 2 && particles.alive[n] === 1);
+        return { x: particles.x[slot], y: particles.y[slot] };
+      });
+      return inWindow(page, x, y);
+    };
+    const held = await rocketInWindow();
+    const goal = await inWindow(page, -12, 18);
+    await page.mouse.move(held.x, held.y);
+    await page.mouse.down();
+    await page.mouse.move(goal.x, goal.y, { steps: 3 });
+    const stars = await read(page, ({ stage, world: { particles } }) => {
+      for (let n = 0; n < 120; n++) {
+        stage.skip(1 / 60);
+        const { count, alive, group, x, y } = particles;
+        const seen = Array.from({ length: count }, (_, slot) => slot).filter((i) => alive[i] === 1 && group[i] === 22);
+        if (seen.length > 0) return seen.map((i) => Math.hypot(x[i] + 12, y[i] - 18));
+      }
+      return [];
+    });
+    await page.mouse.up();
+    expect(stars.length).toBeGreaterThan(5);
+    expect(Math.max(...stars)).toBeLessThan(1);
+
+    const clicked = await rocketInWindow();
+    await page.mouse.click(clicked.x, clicked.y);
+    expect(await read(page, ({ world }) => world.particleCount)).toBe(2);
+  });
 }
 
 test('another seed is another show, the same seed the same', async ({ page }) => {

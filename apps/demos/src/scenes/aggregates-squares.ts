@@ -36,7 +36,6 @@ export const aggregatesSquares: Scene<'squares' | 'side' | 'restitution'> = {
   },
   show: { minX: -6.1, maxX: 6.1, minY: -0.55, maxY: 5.1 },
   step: 1 / 240,
-  draggable: true,
   poster: 2.6,
   style: ({ series, paper }) => ({
     particle: { stroke: paper, strokeWidth: 1 },

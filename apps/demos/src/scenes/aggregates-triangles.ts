@@ -24,7 +24,6 @@ export const aggregatesTriangles: Scene<'turning' | 'speed' | 'side'> = {
   },
   show: { minX: -7.2, maxX: 7, minY: -0.9, maxY: 5.5 },
   step: 1 / steps,
-  draggable: true,
   poster: 4.1,
   style: ({ series, accent, paper }) => ({
     particle: { stroke: paper, strokeWidth: 1 },

@@ -26,7 +26,7 @@ export const billiards: Scene<'restitution' | 'cloth'> = {
   figure: 'Chapter 8',
   title: 'Billiards',
   summary:
-    'The resolver for billiards goes from one impact to the next, each at its own time. Nothing overlaps and nothing is missed, however hard the break; at restitution 1 and without the cloth not a billionth of the energy is lost. It plays by itself until you do: pull back from the white ball and let go, or turn the cue by ← and →, set the force by ↑ and ↓, and shoot by Enter.',
+    'The resolver for billiards goes from one impact to the next, each at its own time. Nothing overlaps and nothing is missed, however hard the break; at restitution 1 and without the cloth not a billionth of the energy is lost. It plays by itself until you do: pull back from the white ball and let go, or turn the cue by ← and →, set the force by ↑ and ↓, and shoot by Enter. Any other ball can be taken hold of and dragged.',
   lookFor: 'The break scatters fifteen balls in a few thousandths of a second, each impact in its turn.',
   formula: String.raw`|\mathbf p_a+\mathbf v_a t-\mathbf p_b-\mathbf v_b t|=r_a+r_b,\qquad J=\frac{-(1+c)\,v_s}{1/m_a+1/m_b}`,
   parameters: {
@@ -101,6 +101,7 @@ export const billiards: Scene<'restitution' | 'cloth'> = {
       clearPockets();
       if (balls.length === 0) rack();
       quiet = energyOf([cue, ...balls]) < 1e-9 ? quiet + dt : 0;
+      played ||= world.forces.length > 1; // a hand is a force beside the cloth
       if (played || quiet < 0.6) return;
       // Until somebody takes the cue it plays by itself: first it aims, then it shoots.
       if (!aiming) aim = chooseShot(cue, balls);
@@ -152,6 +153,7 @@ export const billiards: Scene<'restitution' | 'cloth'> = {
     return {
       world,
       actions,
+      takes: (ball) => ball !== cue,
       pointer: {
         down(at) {
           if (Math.hypot(at.x - cue.x, at.y - cue.y) > 0.22) return false;

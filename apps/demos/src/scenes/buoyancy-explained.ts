@@ -40,7 +40,6 @@ export const buoyancyExplained: Scene<'mass' | 'volume' | 'density'> = {
     density: { label: 'Density of the liquid', unit: 'kg/m³', min: 700, max: 1300, step: 10, value: 1000 },
   },
   show: { minX: -0.19, maxX: 0.19, minY: -0.19, maxY: 0.095 },
-  draggable: true,
   style: (palette) => ({
     particle: { fill: wood(palette) },
     bungees: { width: 2.5 },

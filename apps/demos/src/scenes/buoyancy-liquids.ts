@@ -30,7 +30,6 @@ export const buoyancyLiquids: Scene<'mass' | 'drag'> = {
     drag: { label: 'Drag of water', unit: 'N·s/m', min: 0, max: 2000, step: 50, value: 600 },
   },
   show: { minX: -7.3, maxX: 7.3, minY: -depth - 0.5, maxY: 3.9 },
-  draggable: true,
   style: (palette) => ({
     particle: { fill: wood(palette) },
     liquids: {

@@ -22,7 +22,6 @@ export const buoyancyMasses: Scene<'step' | 'density' | 'drag'> = {
     drag: { label: 'Drag of the liquid', unit: 'N·s/m', min: 0, max: 2000, step: 50, value: 700 },
   },
   show: { minX: -7.9, maxX: 7.9, minY: -depth - 0.6, maxY: 3.4 },
-  draggable: true,
   style: (palette) => ({ particle: { fill: wood(palette) } }),
 
   build({ step, density, drag }) {

@@ -23,7 +23,6 @@ export const buoyancyVolumes: Scene<'mass' | 'density' | 'drag'> = {
     drag: { label: 'Drag of the liquid', unit: 'N·s/m', min: 0, max: 2000, step: 50, value: 800 },
   },
   show: { minX: -8.5, maxX: 8.3, minY: -depth - 0.6, maxY: 3.6 },
-  draggable: true,
   style: (palette) => ({ particle: { fill: wood(palette) } }),
 
   build({ mass, density, drag }, seed) {

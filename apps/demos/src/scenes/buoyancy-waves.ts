@@ -37,7 +37,6 @@ export const buoyancyWaves: Scene<'length' | 'height' | 'stiffness'> = {
   },
   show: { minX: -1.2, maxX: count + 0.2, minY: -4.2, maxY: 3.6 },
   step,
-  draggable: true,
   style: (palette) => ({
     particle: { fill: wood(palette) },
     groups: { 1: { fill: palette.accent } },

@@ -23,7 +23,6 @@ export const cablesHanging: Scene<'balls' | 'amplitude'> = {
   },
   show: { minX: -2.2, maxX: 6.8, minY: -3.35, maxY: 0.55 },
   step: 1 / 1920,
-  draggable: true,
   poster: 4.6,
   style: ({ series, paper, quiet }) => {
     const colors = [series[5], series[1], series[4], series[3], series[2]];

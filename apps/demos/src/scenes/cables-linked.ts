@@ -43,7 +43,6 @@ export const cablesLinked: Scene<'links' | 'slack' | 'mass'> = {
   },
   show: { minX: -6.3, maxX: 6.3, minY: -0.3, maxY: 3.9 },
   step: 1 / 240,
-  draggable: true,
   poster: 1.2,
   style: ({ series, quiet, dark }) => ({
     particle: { fill: quiet, minRadius: 2.5 },

@@ -59,7 +59,6 @@ export const contactNormal: Scene<'weight' | 'restitution'> = {
     restitution: { label: 'Restitution', min: 0, max: 0.9, step: 0.05, value: 0.3 },
   },
   show: { minX: -2.9, maxX: 2.9, minY: -3.5, maxY: 5.1 },
-  draggable: true,
   poster: 0.9,
   style: ({ series, paper }) => ({
     background: paper,

@@ -87,7 +87,6 @@ export const contactOrder: Scene<'tilt' | 'restitution'> = {
     restitution: { label: 'Restitution', min: 0, max: 0.8, step: 0.05, value: 0.2 },
   },
   show: { minX: -3.1, maxX: 3.1, minY: -1.7, maxY: 3.1 },
-  draggable: true,
   poster: 0.9,
   style: ({ series, paper }) => ({
     background: paper,

@@ -43,7 +43,7 @@ export const fireworks: Scene<'sparks' | 'rate'> = {
   figure: 'Figure 4',
   title: 'Fireworks',
   summary:
-    'A firework is a particle with a type and an age that runs down. When it has run out, the payloads of its type appear in its place, each with its velocity and a random one on top, from the range that its rule gives. The bursts are round because of the air: drag that grows with the square of the speed.',
+    'A firework is a particle with a type and an age that runs down. When it has run out, the payloads of its type appear in its place, each with its velocity and a random one on top, from the range that its rule gives. The bursts are round because of the air: drag that grows with the square of the speed. Take hold of a rocket or a star and fling it: what it bursts into sets out with the velocity that you gave it.',
   lookFor:
     'Every rocket bursts into stars and every star bursts again, into sparks; touch the sky to set one off there.',
   formula: String.raw`\mathbf{v}_\text{payload}=\mathbf{v}_\text{parent}+\mathbf{r},\qquad r_x\in[\min_x,\max_x],\quad r_y\in[\min_y,\max_y]`,

@@ -27,7 +27,6 @@ export const forceGenerators: Scene<'gravity' | 'mass'> = {
     mass: { label: 'Mass of each ball', unit: 'kg', min: 0.25, max: 4, step: 0.25, value: 1 },
   },
   show: { minX: -28, maxX: 23, minY: -0.5, maxY: 23.6 },
-  draggable: true,
   style: ({ series, accent }) => ({
     particle: { fill: series[0], minRadius: 5, trail: { seconds: 0.25, width: 4 } },
     groups: { 1: { fill: accent } },

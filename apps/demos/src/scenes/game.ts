@@ -11,7 +11,7 @@ export const game: Scene<'level' | 'mass'> = {
   figure: 'Figure 28',
   title: 'A game',
   summary:
-    'Five levels, each of it made of what the scenes before it showed: bands that pull, rods that break, pendulums, a cable to cut, wind and water. The engine knows nothing of a game: the game adds particles, links and forces, and hears of hits by events. The dots are no drawing of a formula: a second world throws the ball first.',
+    'Five levels, each of it made of what the scenes before it showed: bands that pull, rods that break, pendulums, a cable to cut, wind and water. The engine knows nothing of a game: the game adds particles, links and forces, and hears of hits by events. The dots are no drawing of a formula: a second world throws the ball first. All else that is not nailed down can be taken hold of and dragged: that wins a level, too, though not by skill.',
   lookFor:
     'Pull the ball back and let go, or press the arrow keys and Enter; the dots are the first second of its flight.',
   formula: String.raw`\tfrac12\,m\,v^2\approx2\cdot\tfrac12\,k\,d^2\qquad\Rightarrow\qquad v\approx d\,\sqrt{\frac{2k}{m}}`,
@@ -50,6 +50,7 @@ export const game: Scene<'level' | 'mass'> = {
       world: play.world,
       actions: player.actions,
       pointer: player,
+      takes: (particle) => play.takes(particle),
       tap: () => player.goOn(),
       beforeStep: (dt) => player.beforeStep(dt),
       guides: () => signs(play, player.plays),

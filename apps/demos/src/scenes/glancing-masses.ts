@@ -24,7 +24,6 @@ export const glancingMasses: Scene<'offset' | 'ratio' | 'restitution'> = {
     ratio: { label: 'Mass ratio', unit: '×', min: 1.5, max: 8, step: 0.5, value: 4 },
     restitution: { label: 'Restitution', min: 0, max: 1, step: 0.05, value: 1 },
   },
-  draggable: true,
   show: { minX: -9, maxX: 9, minY: -4.6, maxY: 5.6 },
   poster: 1.9,
   style: ({ series, paper, ink }) => ({

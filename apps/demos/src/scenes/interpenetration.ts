@@ -88,7 +88,6 @@ export const interpenetration: Scene<'depth' | 'mass' | 'share'> = {
     share: { label: 'Resolved in each step', min: 0.005, max: 1, step: 0.005, value: 0.015, live: true },
   },
   show: { minX: -3.9, maxX: 3.9, minY: -4.6, maxY: 4.5 },
-  draggable: true,
   poster: 1.2,
   style: ({ series, paper, quiet }) => ({
     background: paper,

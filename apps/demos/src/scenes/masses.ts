@@ -25,7 +25,6 @@ export const masses: Scene<'ratio' | 'restitution'> = {
     ratio: { label: 'Mass ratio from row to row', unit: '×', min: 1.5, max: 3, step: 0.1, value: 2.5 },
     restitution: { label: 'Restitution', min: 0, max: 1, step: 0.05, value: 1 },
   },
-  draggable: true,
   show: { minX: -6.6, maxX: 11.5, minY: -3.9, maxY: 4.3 },
   poster: 1.9,
   style: ({ series, paper, ink }) => ({

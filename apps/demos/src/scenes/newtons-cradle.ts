@@ -24,7 +24,6 @@ export const newtonsCradle: Scene<'raised' | 'angle' | 'restitution' | 'byImpact
   },
   show: { minX: -4.1, maxX: 4.1, minY: -3.05, maxY: 0.45 },
   step: 1 / steps,
-  draggable: true,
   poster: 1.15,
   style: ({ series, accent, ink }) => ({
     particle: { fill: series[0], stroke: ink, strokeWidth: 1.5 },

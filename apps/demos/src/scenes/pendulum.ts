@@ -24,7 +24,6 @@ export const pendulum: Scene<'amplitude' | 'length' | 'mass'> = {
   },
   show: { minX: -6.3, maxX: 8.6, minY: -3.3, maxY: 3 },
   step: 1 / 960,
-  draggable: true,
   style: ({ accent, series, paper }) => ({
     particle: { fill: accent, stroke: paper, strokeWidth: 1.5 },
     groups: { 1: { fill: series[1] } },

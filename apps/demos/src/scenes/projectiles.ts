@@ -24,7 +24,6 @@ export const projectiles: Scene<'speed' | 'gravity'> = {
     speed: { label: 'Muzzle speed', unit: '×', min: 0.5, max: 1.5, step: 0.05, value: 1, live: true },
     gravity: { label: 'Gravity', unit: '×', min: 0, max: 2, step: 0.05, value: 1, live: true },
   },
-  draggable: true,
   show: { minX: -2, maxX: 64, minY: -9, maxY: 15 },
   style: ({ series }) => ({
     groups: kinds.map((_, kind) => ({ fill: series[kind + 1], minRadius: 4, trail: { seconds: 0.35, width: 5 } })),

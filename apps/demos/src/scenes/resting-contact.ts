@@ -34,7 +34,6 @@ export const restingContact: Scene<'frame'> = {
   },
   show: { minX: -1, maxX: 1, minY: -0.25, maxY: 1.45 },
   step: 1 / 240,
-  draggable: true,
   poster: 1.3,
   style: ({ series, paper }) => ({
     background: paper,

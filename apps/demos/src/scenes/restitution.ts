@@ -22,7 +22,6 @@ export const restitution: Scene<'most' | 'gravity'> = {
     gravity: { label: 'Gravity', unit: 'm/s²', min: 1, max: 25, step: 0.01, value: 9.81 },
   },
   show: { minX: -5.6, maxX: 5.6, minY: -0.7, maxY: 6.2 },
-  draggable: true,
   poster: 1.5,
   style: ({ series, paper }) => ({
     background: paper,

@@ -21,7 +21,6 @@ export const rodsAndCables: Scene<'counterweight' | 'sling' | 'release'> = {
   },
   show: { minX: -6.7, maxX: 27.2, minY: -1.5, maxY: 13.3 },
   step: 1 / 480,
-  draggable: true,
   poster: 1.35,
   style: ({ ink, accent, series, quiet, paper }) => ({
     particle: { fill: quiet, stroke: paper, strokeWidth: 1 },

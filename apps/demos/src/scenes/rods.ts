@@ -83,7 +83,6 @@ export const rods: Scene<'load' | 'height' | 'speed'> = {
   },
   show: { minX: -1.6, maxX: 13.6, minY: -1.9, maxY: 3.4 },
   step: 1 / steps,
-  draggable: true,
   poster: 2,
   style: ({ ink, accent, series, quiet, paper }) => ({
     particle: { fill: ink, minRadius: 4, stroke: paper, strokeWidth: 1 },

@@ -1,4 +1,4 @@
-import type { World } from '@mass/core';
+import type { Particle, World } from '@mass/core';
 import type { Bounds, Style } from '@mass/core/view';
 import type { Palette } from './palette.ts';
 
@@ -24,8 +24,6 @@ export interface Scene<Name extends string = string> {
   readonly show: Bounds;
   /** The fixed step, @default 1 / 60. Unit: s. */
   readonly step?: number;
-  /** Whether the pointer can take hold of particles. @default false */
-  readonly draggable?: boolean;
   /** How far a thumbnail that must not move has run. @default 2. Unit: s. */
   readonly poster?: number;
   /** How it is drawn: plain data, the same for every renderer. */
@@ -67,8 +65,10 @@ export interface Setup {
   readonly beside?: readonly Beside[];
   /** What the reader can do, each by its key or button. */
   readonly actions?: readonly Action[];
-  /** What a click or a tap does where there is no particle to take hold of. */
+  /** What a click or a tap does. */
   tap?(at: Point): void;
+  /** Whether the pointer may take hold of a particle that can move. @default always */
+  takes?(particle: Particle): boolean;
   /** What a drag does where there is no particle to take hold of. */
   readonly pointer?: Pointer;
   /** Called before each step of the world. Unit: s. */

@@ -25,7 +25,6 @@ export const springsAmplitude: Scene<'stretch' | 'stiffness' | 'mass'> = {
   },
   show: { minX: -8.6, maxX: 9.4, minY: -3.5, maxY: 5.8 },
   step: 1 / 240,
-  draggable: true,
   style: ({ series, accent, paper }) => ({
     particle: { fill: series[1], stroke: paper, strokeWidth: 1.5 },
     groups: { 1: { fill: series[1] }, 2: { fill: accent } },

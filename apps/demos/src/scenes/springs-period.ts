@@ -23,7 +23,6 @@ export const springsPeriod: Scene<'stiffness' | 'mass' | 'stretch'> = {
   },
   show: { minX: -7.9, maxX: 10.1, minY: -4.5, maxY: 4.7 },
   step: 1 / 120,
-  draggable: true,
   style: ({ series, paper, quiet, ink }) => ({
     particle: { stroke: paper, strokeWidth: 1.5 },
     springs: { colorBy: { by: 'stiffness', from: 2, to: 64, colors: [quiet, ink] } },

@@ -77,7 +77,6 @@ export const sunkBox: Scene<'depth' | 'pull' | 'share'> = {
     share: { label: 'Resolved in each step', min: 0.02, max: 1, step: 0.01, value: 0.04, live: true },
   },
   show: { minX: -3.6, maxX: 3.6, minY: -3.4, maxY: 4.2 },
-  draggable: true,
   poster: 1.5,
   style: ({ series, paper }) => ({
     background: paper,

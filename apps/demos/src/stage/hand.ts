@@ -12,10 +12,10 @@ const TAP = 6;
 
 /** What one pointer is doing. */
 type Gesture =
-  | { readonly kind: 'grab'; readonly hold: Hold }
+  | { readonly kind: 'grab'; readonly from: Point; readonly hold: Hold }
   | { readonly kind: 'scene' }
   | { readonly kind: 'pan' }
-  | { readonly kind: 'tap'; readonly x: number; readonly y: number };
+  | { readonly kind: 'tap'; readonly from: Point };
 
 /** A particle in the hand, and how far from its centre the pointer took it: it is dragged by that place, without a jerk. */
 interface Hold {
@@ -76,13 +76,14 @@ export class Hand {
       return this.#movesCamera ? { kind: 'pan' } : undefined;
     }
     const particle = this.#pick(pane, event, at);
-    if (particle) return { kind: 'grab', hold: take(pane, particle, at) };
+    const from = screenPoint(pane, event);
+    if (particle) return { kind: 'grab', from, hold: take(pane, particle, at) };
     let taken = false;
     this.#stage.attempt(() => {
       taken = this.#stage.setup.pointer?.down(at) ?? false;
     });
     if (taken) return { kind: 'scene' };
-    return { kind: 'tap', ...screenPoint(pane, event) };
+    return { kind: 'tap', from };
   }
 
   #move(pane: Pane, event: PointerEvent): void {
@@ -117,9 +118,9 @@ export class Hand {
     this.#touches.delete(event.pointerId);
     const gesture = this.#gestures.get(event.pointerId);
     if (!gesture) return;
-    const { x, y } = screenPoint(pane, event);
     this.#end(pane, event.pointerId, gesture);
-    if (gesture.kind === 'tap' && meant && Math.hypot(x - gesture.x, y - gesture.y) <= TAP) {
+    // What is taken and let go where it was, was tapped.
+    if ('from' in gesture && meant && distance(screenPoint(pane, event), gesture.from) <= TAP) {
       this.#stage.attempt(() => this.#stage.setup.tap?.(worldPoint(pane, event)));
     } else if (gesture.kind === 'scene') {
       this.#stage.attempt(() => this.#stage.setup.pointer?.up?.(worldPoint(pane, event)));
@@ -129,7 +130,7 @@ export class Hand {
   #end(pane: Pane, pointer: number, gesture: Gesture): void {
     this.#gestures.delete(pointer);
     pane.element.classList.remove('grabbing');
-    if (gesture.kind === 'grab') gesture.hold.world.removeForce(gesture.hold.spring);
+    if (gesture.kind === 'grab') letGo(gesture.hold);
     this.#stage.invalidate();
   }
 
@@ -166,9 +167,10 @@ export class Hand {
   }
 
   #pick(pane: Pane, { pointerType }: { pointerType: string }, at: Point): Particle | undefined {
-    if (!this.#stage.scene.draggable) return undefined;
     const reach = pointerType === 'mouse' ? REACH.mouse : REACH.touch;
-    return pickParticle(pane.world, at.x, at.y, reach / pane.camera.pixelsPerMetre);
+    const particle = pickParticle(pane.world, at.x, at.y, reach / pane.camera.pixelsPerMetre);
+    if (!particle || particle.mass === Infinity) return undefined;
+    return this.#stage.setup.takes?.(particle) === false ? undefined : particle;
   }
 
   /** A line from where each held particle was taken to the pointer. */
@@ -192,6 +194,11 @@ function take(pane: Pane, particle: Particle, at: Point): Hold {
   const spring = world.addForce(new PointerSpring());
   spring.grab(particle);
   return { pane, world, spring, offset: { x: particle.x - at.x, y: particle.y - at.y } };
+}
+
+function letGo({ world, spring }: Hold): void {
+  // A scene that clears its world has taken the spring out, too.
+  if (world.forces.includes(spring)) world.removeForce(spring);
 }
 
 function screenPoint({ element }: Pane, { clientX, clientY }: { clientX: number; clientY: number }): Point {

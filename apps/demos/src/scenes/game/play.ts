@@ -127,6 +127,11 @@ export class Play {
     return this.#lastPath;
   }
 
+  /** Whether a hand may drag it: not the ball that the bands hold, nor what only glitters. */
+  takes(particle: Particle): boolean {
+    return particle !== this.#sling.ball && particle.group < DUST;
+  }
+
   /** From the first level, with no points. */
   restart(): void {
     this.#score = 0;
