@@ -5,15 +5,6 @@ import type { ParticleStore } from '../particles/particle-store.ts';
 import type { ForceGenerator } from './force-generator.ts';
 import { AllTargets, ChosenTargets } from './target-list.ts';
 
-/** A force that is not finite: whose, on which particle. The index counts generators in the order in which they run. */
-export interface NonFiniteForce {
-  readonly generator: ForceGenerator;
-  readonly index: number;
-  readonly slot: number;
-  readonly fx: number;
-  readonly fy: number;
-}
-
 /** Which generator acts on which particles. Generators run in the order in which they were first added. */
 export class ForceRegistry {
   readonly #store: ParticleStore;
@@ -74,34 +65,11 @@ export class ForceRegistry {
   /** Runs every generator. Reads what they read. Adds to fx, fy. */
   apply(dt: number, time: number): void {
     const generators = this.#generators;
-    for (let g = 0; g < generators.length; g++) this.#applyOne(generators[g], dt, time);
+    for (let g = 0; g < generators.length; g++) this.applyOne(generators[g], dt, time);
   }
 
-  /**
-   * Finds, after a step that failed, the generator that gives a force which is not finite, by running each again on its
-   * own. The accumulators are left as they were found.
-   */
-  findNonFinite(dt: number, time: number): NonFiniteForce | undefined {
-    const { fx, fy, count } = this.#store;
-    const keptX = fx.slice();
-    const keptY = fy.slice();
-    try {
-      for (const [index, generator] of this.#generators.entries()) {
-        fx.fill(0);
-        fy.fill(0);
-        this.#applyOne(generator, dt, time);
-        for (let slot = 0; slot < count; slot++) {
-          if (!Number.isFinite(fx[slot] + fy[slot])) return { generator, index, slot, fx: fx[slot], fy: fy[slot] };
-        }
-      }
-      return undefined;
-    } finally {
-      fx.set(keptX);
-      fy.set(keptY);
-    }
-  }
-
-  #applyOne(generator: ForceGenerator, dt: number, time: number): void {
+  /** Adds one generator's forces to the accumulators. */
+  applyOne(generator: ForceGenerator, dt: number, time: number): void {
     const targets = this.#targets.get(generator) ?? this.#everyone;
     targets.refresh();
     generator.apply(this.#store, targets, dt, time);

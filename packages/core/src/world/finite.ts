@@ -1,38 +1,53 @@
-import type { ForceRegistry } from '../forces/force-registry.ts';
 import { describe } from '../math/checks.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import type { ParticleStore } from '../particles/particle-store.ts';
+import type { Simulation } from './simulation.ts';
 
-/** The error that names the first particle that is not finite. */
-export function nonFiniteError({ count, x, y, vx, vy }: ParticleArrays): Error {
-  for (let i = 0; i < count; i++) {
-    if (Number.isFinite(x[i] + y[i] + vx[i] + vy[i])) continue;
-    return new RangeError(
-      `World.step: positions and velocities must stay finite; particle ${i} came to (${x[i]}, ${y[i]}) m ` +
-        `at (${vx[i]}, ${vy[i]}) m/s. The step was undone: look at what was written to its numbers, at forces that are ` +
-        'too strong for the step, or take shorter steps.',
-    );
-  }
-  return new RangeError('World.step: positions and velocities must stay finite; they did not. The step was undone.');
+/** Undoes a step that led to a number that is not finite, and makes the error that names the cause: a force, or a particle. */
+export function nonFiniteError(simulation: Simulation, dt: number): Error {
+  const where = describePlace(simulation.particles);
+  simulation.before.restore(simulation.particles);
+  return (
+    nonFiniteForceError(simulation, dt) ??
+    new RangeError(
+      `World.step: positions and velocities must stay finite; ${where}. The step was undone: look at what was written to its ` +
+        'numbers, at forces that are too strong for the step, or take shorter steps.',
+    )
+  );
 }
 
-/** The error that names the force generator whose force is not finite, if there is one. Runs the generators again. */
-export function nonFiniteForceError(forces: ForceRegistry, dt: number, time: number): Error | undefined {
-  const found = forces.findNonFinite(dt, time);
-  if (found === undefined) return undefined;
-  return new RangeError(
-    `World.step: a force must be a finite number of newtons; ${describe(found.generator)}, force ${found.index + 1} of ` +
-      `the world, gave (${found.fx}, ${found.fy}) to particle ${found.slot}. The step was undone: mend the generator, or take it out with ` +
-      'world.removeForce.',
-  );
+/** Where the first particle that is not finite came to. */
+function describePlace({ count, x, y, vx, vy }: ParticleArrays): string {
+  for (let i = 0; i < count; i++) {
+    if (Number.isFinite(x[i] + y[i] + vx[i] + vy[i])) continue;
+    return `particle ${i} came to (${x[i]}, ${y[i]}) m at (${vx[i]}, ${vy[i]}) m/s`;
+  }
+  return 'their sum did not';
+}
+
+/** The error that names the first force generator whose force is not finite: each runs again, on its own. Writes fx, fy. */
+function nonFiniteForceError({ forces, particles, time }: Simulation, dt: number): Error | undefined {
+  for (const [index, generator] of forces.list.entries()) {
+    particles.fx.fill(0);
+    particles.fy.fill(0);
+    forces.applyOne(generator, dt, time);
+    const { count, fx, fy } = particles;
+    for (let i = 0; i < count; i++) {
+      if (Number.isFinite(fx[i] + fy[i])) continue;
+      return new RangeError(
+        `World.step: a force must be a finite number of newtons; ${describe(generator)}, force ${index + 1} of the world, ` +
+          `gave (${fx[i]}, ${fy[i]}) to particle ${i}. The step was undone: mend the generator, or take it out with world.removeForce.`,
+      );
+    }
+  }
+  return undefined;
 }
 
 /** Lifetimes are numbers: NaN, written to the array, would end a particle without a word. Reads lifetime. */
 export function requireLifetimes({ count, lifetime, mortal }: ParticleStore): void {
   if (!mortal) return;
-  let sum = 0;
-  for (let i = 0; i < count; i++) sum += lifetime[i];
-  if (!Number.isNaN(sum)) return;
-  const slot = lifetime.findIndex((seconds, i) => i < count && Number.isNaN(seconds));
-  throw new RangeError(`World.step: a lifetime must be a number of seconds; that of particle ${slot} is NaN.`);
+  for (let i = 0; i < count; i++) {
+    if (!Number.isNaN(lifetime[i])) continue;
+    throw new RangeError(`World.step: a lifetime must be a number of seconds; that of particle ${i} is NaN.`);
+  }
 }

@@ -34,7 +34,7 @@ import { Checkpoint } from './checkpoint.ts';
 import { ContactWatch } from './contact-watch.ts';
 import { EventQueue, type WorldEvents } from './events.ts';
 import { Expiry } from './expiry.ts';
-import { nonFiniteError, nonFiniteForceError, requireLifetimes } from './finite.ts';
+import { nonFiniteError, requireLifetimes } from './finite.ts';
 import { type Integrator, semiImplicitEuler } from './integrators.ts';
 import { LinkBreaker } from './link-breaker.ts';
 import type { Simulation } from './simulation.ts';
@@ -303,19 +303,13 @@ export class World implements ParticleSpawner {
     store.locked = true;
     try {
       requireLifetimes(store);
-      if (!this.#resolver.step(this.#simulation, dt)) throw this.#nonFiniteError(dt);
+      if (!this.#resolver.step(this.#simulation, dt)) throw nonFiniteError(this.#simulation, dt);
     } catch (error) {
       this.#simulation.before.restore(store);
       throw error;
     } finally {
       store.locked = false;
     }
-  }
-
-  #nonFiniteError(dt: number): Error {
-    const error = nonFiniteError(this.#store);
-    this.#simulation.before.restore(this.#store);
-    return nonFiniteForceError(this.#forces, dt, this.#simulation.time) ?? error;
   }
 
   /** Events and effects, which may change the world. Whatever they throw, what expired is removed. */
