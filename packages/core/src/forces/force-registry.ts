@@ -3,18 +3,18 @@ import { requireMembers } from '../particles/membership.ts';
 import type { Particle } from '../particles/particle.ts';
 import type { ParticleStore } from '../particles/particle-store.ts';
 import type { ForceGenerator } from './force-generator.ts';
-import { AllTargets, ChosenTargets } from './target-list.ts';
+import { TargetList } from './target-list.ts';
 
 /** Which generator acts on which particles. Generators run in the order in which they were first added. */
 export class ForceRegistry {
   readonly #store: ParticleStore;
-  readonly #everyone: AllTargets;
-  readonly #targets = new Map<ForceGenerator, AllTargets | ChosenTargets>();
+  readonly #everyone: TargetList;
+  readonly #targets = new Map<ForceGenerator, TargetList>();
   #generators: ForceGenerator[] = [];
 
   constructor(store: ParticleStore) {
     this.#store = store;
-    this.#everyone = new AllTargets(store);
+    this.#everyone = new TargetList(store);
   }
 
   /** The generators, in the order in which they run. */
@@ -31,13 +31,10 @@ export class ForceRegistry {
           'Wrap a function of one particle in forEachParticle.',
       );
     }
-    const members = particles === undefined ? undefined : requireMembers(where, particles, this.#store);
-    let targets = this.#targets.get(generator);
-    if (members === undefined) {
-      targets = this.#everyone;
-    } else {
-      targets ??= new ChosenTargets(this.#store);
-      if (targets instanceof ChosenTargets) for (const particle of members) targets.add(particle);
+    let targets = this.#everyone;
+    if (particles !== undefined) {
+      targets = this.#targets.get(generator) ?? new TargetList(this.#store, new Set());
+      targets.add(requireMembers(where, particles, this.#store));
     }
     this.#targets.set(generator, targets);
     this.#generators = [...this.#targets.keys()];
@@ -49,17 +46,17 @@ export class ForceRegistry {
     if (targets === undefined) {
       throw new Error(`${where}: the force must be in the world; ${describe(generator)} is not.`);
     }
-    if (particles !== undefined && targets === this.#everyone) {
+    if (particles === undefined) {
+      this.#targets.delete(generator);
+      this.#generators = [...this.#targets.keys()];
+      return;
+    }
+    if (targets === this.#everyone) {
       throw new Error(
         `${where}: the force acts on all particles; single ones cannot be freed of it. Add it with a list of particles instead.`,
       );
     }
-    if (particles === undefined) {
-      this.#targets.delete(generator);
-      this.#generators = [...this.#targets.keys()];
-    } else if (targets instanceof ChosenTargets) {
-      for (const particle of requireMembers(where, particles, this.#store)) targets.delete(particle);
-    }
+    targets.delete(requireMembers(where, particles, this.#store));
   }
 
   /** Runs every generator. Reads what they read. Adds to fx, fy. */
