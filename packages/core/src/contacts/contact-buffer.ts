@@ -1,4 +1,5 @@
 import { describe, requireFinite, requireNonNegative, requireShare } from '../math/checks.ts';
+import { growColumns } from '../math/columns.ts';
 import type { ContactArrays } from './contact-arrays.ts';
 import type { Contacts } from './contacts.ts';
 
@@ -91,7 +92,7 @@ export class ContactBuffer implements Contacts, ContactArrays {
       this.leftOut++;
       return;
     }
-    if (this.count === this.a.length) this.#grow(this.count * 2);
+    if (this.count === this.a.length) growColumns(this, this.count * 2);
     const c = this.count++;
     this.a[c] = a;
     this.b[c] = b;
@@ -113,6 +114,7 @@ export class ContactBuffer implements Contacts, ContactArrays {
    * @param share - Where on the edge, 0 at the second particle and 1 at the other.
    */
   makeEdge(end: number, share: number): void {
+    if (this.leftOut > 0) return; // that contact was left out
     this.edgeEnd[this.count - 1] = end;
     this.edgeShare[this.count - 1] = share;
   }
@@ -121,7 +123,7 @@ export class ContactBuffer implements Contacts, ContactArrays {
   reserve(more: number): number {
     let capacity = this.a.length;
     while (capacity < this.count + more) capacity *= 2;
-    if (capacity > this.a.length) this.#grow(capacity);
+    if (capacity > this.a.length) growColumns(this, capacity);
     return Math.min(capacity, this.#limit);
   }
 
@@ -176,22 +178,6 @@ export class ContactBuffer implements Contacts, ContactArrays {
     requireNonNegative('Contacts.add', 'friction', friction, '');
     requireFinite('Contacts.add', 'surfaceSpeed', surfaceSpeed, 'metres per second');
   }
-
-  #grow(capacity: number): void {
-    this.a = grown(this.a, new Int32Array(capacity));
-    this.b = grown(this.b, new Int32Array(capacity));
-    this.normalX = grown(this.normalX, new Float64Array(capacity));
-    this.normalY = grown(this.normalY, new Float64Array(capacity));
-    this.penetration = grown(this.penetration, new Float64Array(capacity));
-    this.restitution = grown(this.restitution, new Float64Array(capacity));
-    this.friction = grown(this.friction, new Float64Array(capacity));
-    this.surfaceSpeed = grown(this.surfaceSpeed, new Float64Array(capacity));
-    this.edgeEnd = grown(this.edgeEnd, new Int32Array(capacity));
-    this.edgeShare = grown(this.edgeShare, new Float64Array(capacity));
-    this.impulse = grown(this.impulse, new Float64Array(capacity));
-    this.tangentImpulse = grown(this.tangentImpulse, new Float64Array(capacity));
-    this.source = grown(this.source, new Int32Array(capacity));
-  }
 }
 
 /** A normal of length 1. */
@@ -205,9 +191,4 @@ export function requireUnitNormal(where: string, normalX: number, normalY: numbe
 /** One number for a pair of slots, whatever their order. */
 export function pairKey(a: number, b: number): number {
   return a < b ? a * 0x400_0000 + b : b * 0x400_0000 + a;
-}
-
-function grown<T extends { set(from: T): void }>(from: T, to: T): T {
-  to.set(from);
-  return to;
 }

@@ -1,3 +1,4 @@
+import { growColumns } from '../math/columns.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 
 const FIRST_CAPACITY = 4;
@@ -27,7 +28,7 @@ export class SpringTable {
 
   /** A new row, of which everything is still to be written. */
   add(): number {
-    if (this.count === this.slotA.length) this.#grow(this.count * 2);
+    if (this.count === this.slotA.length) growColumns(this, this.count * 2);
     this.dirty = true;
     return this.count++;
   }
@@ -39,18 +40,6 @@ export class SpringTable {
     this.restLength[to] = this.restLength[from];
     this.stiffness[to] = this.stiffness[from];
     this.damping[to] = this.damping[from];
-  }
-
-  #grow(capacity: number): void {
-    this.slotA = grown(this.slotA, new Int32Array(capacity));
-    this.slotB = grown(this.slotB, new Int32Array(capacity));
-    this.generationA = grown(this.generationA, new Uint32Array(capacity));
-    this.generationB = grown(this.generationB, new Uint32Array(capacity));
-    this.fixedX = grown(this.fixedX, new Float64Array(capacity));
-    this.fixedY = grown(this.fixedY, new Float64Array(capacity));
-    this.restLength = grown(this.restLength, new Float64Array(capacity));
-    this.stiffness = grown(this.stiffness, new Float64Array(capacity));
-    this.damping = grown(this.damping, new Float64Array(capacity));
   }
 }
 
@@ -102,9 +91,4 @@ export function applySprings(table: SpringTable, { x, y, vx, vy, fx, fy }: Parti
       fy[b] -= pull * ny;
     }
   }
-}
-
-function grown<T extends { set(from: T): void }>(from: T, to: T): T {
-  to.set(from);
-  return to;
 }
