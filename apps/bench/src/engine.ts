@@ -18,7 +18,7 @@ export type Effort = number;
 export type Build = (scene: Scene, effort: Effort) => Simulation;
 
 /** What a workload may ask of an engine. */
-export type Ability = 'collide' | 'links' | 'crates' | 'bars' | 'drag' | 'sleep';
+export type Ability = 'collide' | 'links' | 'crates' | 'bars' | 'sleep';
 
 /** An engine and how it is used here. */
 export interface Engine {

@@ -2,7 +2,7 @@
  * Accuracy and speed, side by side: `pnpm bench --help`. Every run is a process of its own; engines take turns, round by round.
  */
 import { parseArgs } from 'node:util';
-import { engines } from './engines/index.ts';
+import { engines, quickEngines } from './engines/index.ts';
 import { makeReport, mergeReports } from './report.ts';
 import { runCase } from './runner.ts';
 import { readReport, saveReport } from './save.ts';
@@ -11,7 +11,7 @@ import { workloads } from './workloads/index.ts';
 
 const HELP = `pnpm bench [options]
 
-  --quick            the smallest case of each workload, one round: about two minutes
+  --quick            the smallest cases, one round, five engines: about two minutes
   --only a,b         these workloads: ${workloads.map(({ id }) => id).join(', ')}
   --cases a,b        these cases, by name
   --engines a,b      these engines: ${engines.map(({ id }) => id).join(', ')}
@@ -46,7 +46,10 @@ if (options.help) {
   console.log(HELP);
 } else {
   const rounds = Number(options.rounds ?? (options.quick ? 1 : 3));
-  const chosenEngines = choose(engines, ({ id }) => id, options.engines);
+  if (!(Number.isInteger(rounds) && rounds > 0))
+    throw new Error(`bench: --rounds must be 1 or more; got ${options.rounds}.`);
+  const engineIds = options.engines ?? (options.quick ? quickEngines : undefined);
+  const chosenEngines = choose(engines, ({ id }) => id, engineIds);
   const caseNames = options.cases?.split(',');
   const report = makeReport(chosenEngines, rounds);
   for (const workload of choose(workloads, ({ id }) => id, options.only)) {

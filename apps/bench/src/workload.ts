@@ -10,7 +10,7 @@ export interface Target {
 /** One number that a workload gives for each engine. */
 export interface Measure {
   readonly title: string;
-  readonly unit: 'ms' | 'µs' | 'ns' | 's' | 'mm' | 'm/s' | '%' | 'B' | 'kB' | '';
+  readonly unit: 'ms' | 'µs' | 'ns' | 's' | 'm' | 'mm' | 'm/s' | '%' | 'B' | 'kB' | '';
   readonly better: 'less' | 'more';
   readonly target?: Target;
 }
