@@ -58,18 +58,27 @@ export class ContactSources {
     return generator < 0 ? this.shapes.list[shape] : this.generators.list[generator];
   }
 
-  /** Finds the contacts of this moment, and those that the buffer looks ahead to. Reads the particles. Writes the contacts. */
-  gather(contacts: ContactBuffer, dt: number): void {
+  /** Changes whenever a link came or went. */
+  get linkVersion(): number {
+    this.linkedPairs();
+    return this.#linkVersion;
+  }
+
+  /**
+   * Finds the contacts of this moment, and those that the buffer looks ahead to. Reads the particles. Writes the contacts.
+   * @param without - Leaves out the links that have a solver of their own.
+   */
+  gather(contacts: ContactBuffer, dt: number, without = false): void {
     const store = this.#store;
     const { links } = this;
     const shapes = this.shapes.list;
     const generators = this.generators.list;
     contacts.clear(store.count, this.linkedPairs());
-    contacts.linkVersion = this.#linkVersion;
+    contacts.linkVersion = this.linkVersion;
     let source = 0;
     for (let l = 0; l < links.length; l++) {
       contacts.currentSource = source++;
-      links[l].addContacts(store, contacts, dt);
+      if (!without || links[l].solver === undefined) links[l].addContacts(store, contacts, dt);
     }
     for (let s = 0; s < shapes.length; s++) {
       contacts.currentSource = source++;

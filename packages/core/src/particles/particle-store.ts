@@ -10,7 +10,8 @@ const numbers = (): Float64Array => new Float64Array(FIRST_CAPACITY);
 
 /**
  * The particles of one world as typed arrays. A slot is stable for the life of its particle; freed slots are used again,
- * the last freed first, under a new generation. Arrays double when they are full.
+ * the last freed first, under a new generation. Arrays double when they are full. There is always a slot after the last one: it
+ * is at rest at the origin and of infinite mass, as scenery is.
  */
 export class ParticleStore implements ParticleSlots, MotionArrays {
   count = 0;
@@ -76,7 +77,7 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
   add(x: number, y: number): number {
     this.#requireUnlocked('added');
     const slot = this.#freeCount > 0 ? this.#own.free[--this.#freeCount] : this.count++;
-    if (this.count > this.capacity) this.reserve(this.capacity * 2);
+    if (this.count === this.capacity) this.reserve(this.capacity * 2);
     this.living++;
     this.version++;
     this.alive[slot] = 1;

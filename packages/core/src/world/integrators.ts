@@ -39,7 +39,7 @@ export const explicitEuler: Integrator = (particles, gravity, dt) => {
 };
 
 /** v' = v + a·dt for the constant acceleration a. Reads ax, ay, inverseMass. Writes vx, vy. */
-function accelerateConstantly({ count, vx, vy, ax, ay, inverseMass }: MotionArrays, dt: number): void {
+export function accelerateConstantly({ count, vx, vy, ax, ay, inverseMass }: MotionArrays, dt: number): void {
   for (let i = 0; i < count; i++) {
     const h = inverseMass[i] === 0 ? 0 : dt; // whatever is immovable keeps its velocity
     vx[i] += ax[i] * h;
@@ -48,7 +48,11 @@ function accelerateConstantly({ count, vx, vy, ax, ay, inverseMass }: MotionArra
 }
 
 /** v' = v + (g + F/m)·dt. Reads fx, fy, inverseMass. Writes vx, vy; clears fx, fy. */
-function accelerate({ count, vx, vy, fx, fy, inverseMass }: MotionArrays, gravity: Readonly<Vec2>, dt: number): void {
+export function accelerate(
+  { count, vx, vy, fx, fy, inverseMass }: MotionArrays,
+  gravity: Readonly<Vec2>,
+  dt: number,
+): void {
   const { x: gx, y: gy } = gravity;
   for (let i = 0; i < count; i++) {
     const w = inverseMass[i];
@@ -81,7 +85,7 @@ export function damp({ count, vx, vy, damping, inverseMass, dampingPowers }: Mot
 }
 
 /** p' = p + v·dt. Reads vx, vy. Writes x, y. Tells whether all positions are finite: if not, their sum is not. */
-function move({ count, x, y, vx, vy }: MotionArrays, dt: number): boolean {
+export function move({ count, x, y, vx, vy }: MotionArrays, dt: number): boolean {
   let sum = 0;
   for (let i = 0; i < count; i++) {
     x[i] += vx[i] * dt;

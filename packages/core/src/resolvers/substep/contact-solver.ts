@@ -1,0 +1,75 @@
+import type { ParticleArrays } from '../../particles/particle-arrays.ts';
+import type { Simulation } from '../../world/simulation.ts';
+import { ContactMotion } from './contact-motion.ts';
+import { ContactRows } from './contact-rows.ts';
+import { ImpulseMemory } from './impulse-memory.ts';
+import { RIGID, softness } from './softness.ts';
+import { giveBack, solveContacts, sumImpulses } from './solve-contacts.ts';
+
+/** Stiffness of contacts, of two particles and with scenery. Unit: Hz. */
+const HERTZ = 60;
+const SCENERY_HERTZ = 120;
+
+/** Contacts creep apart and do not bounce. */
+const DAMPING_RATIO = 10;
+
+/** The contacts of a step, from their discovery to their impulses. */
+export class ContactSolver {
+  readonly #rows = new ContactRows();
+  readonly #memory = new ImpulseMemory();
+  readonly #motion = new ContactMotion();
+  #h = 0;
+  #soft = RIGID;
+  #scenerySoft = RIGID;
+  /** Closing speed up to which a contact rests. Unit: m/s. */
+  #resting = 0;
+
+  /**
+   * Finds the contacts of the step. Reads the particles, links, shapes and generators. Writes the contacts and the rows.
+   * @param dt - Duration of the step. Unit: s.
+   * @param h - Duration of a small step. Unit: s.
+   */
+  find({ contacts, gravity, particles, sources }: Simulation, dt: number, h: number): void {
+    const g = Math.sqrt(gravity.x * gravity.x + gravity.y * gravity.y);
+    contacts.lookAhead = dt;
+    contacts.margin = g * dt * dt;
+    this.#resting = g * dt;
+    sources.gather(contacts, dt, true);
+    this.#memory.recall(contacts, sources.links.length, h);
+    this.#rows.build(contacts, particles);
+    this.#motion.begin(this.#rows, particles);
+    if (h === this.#h) return;
+    this.#h = h;
+    this.#soft = softness(HERTZ, DAMPING_RATIO, h);
+    this.#scenerySoft = softness(SCENERY_HERTZ, DAMPING_RATIO, h);
+  }
+
+  /** Begins a small step with what the contacts did in the last one. Writes vx, vy. */
+  repeat(particles: ParticleArrays): void {
+    if (this.#rows.count > 0) this.#motion.repeat(particles);
+  }
+
+  /** One pass over the contacts. Reads x, y. Writes vx, vy. */
+  solve(particles: ParticleArrays): void {
+    const rows = this.#rows;
+    if (rows.count === 0) return;
+    this.#motion.note(particles);
+    solveContacts(rows, 0, rows.pairCount, particles, this.#soft, this.#h);
+    solveContacts(rows, rows.pairCount, rows.count, particles, this.#scenerySoft, this.#h);
+    this.#motion.learn(particles);
+    sumImpulses(rows);
+  }
+
+  /** Takes out the speed by which penetrations were undone, then gives back what hits give back. Reads x, y. Writes vx, vy. */
+  relax(particles: ParticleArrays): void {
+    const rows = this.#rows;
+    solveContacts(rows, 0, rows.count, particles, RIGID, this.#h);
+    giveBack(rows, particles, this.#resting);
+  }
+
+  /** Keeps the impulses for the next step. Writes the contacts' impulses. */
+  keep({ contacts, sources }: Simulation): void {
+    this.#memory.keep(contacts, this.#rows, sources.links.length, this.#h);
+    this.#rows.report(contacts);
+  }
+}

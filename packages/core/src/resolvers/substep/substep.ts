@@ -1,0 +1,68 @@
+import { requireInteger, requireOptions } from '../../math/checks.ts';
+import type { Vec2 } from '../../math/vec2.ts';
+import { allFinite } from '../../particles/finite.ts';
+import type { ParticleStore } from '../../particles/particle-store.ts';
+import { accelerate, accelerateConstantly, damp, move } from '../../world/integrators.ts';
+import type { Simulation } from '../../world/simulation.ts';
+import type { Resolver } from '../resolver.ts';
+import { ContactSolver } from './contact-solver.ts';
+import { HeldForces } from './held-forces.ts';
+import { LinkGroups } from './link-groups.ts';
+
+/** How the sub-step resolver works. */
+export interface SubstepOptions {
+  /** Into how many small steps a step is divided, 1 to 64. More are more exact, and cost more. @default 4 */
+  subSteps?: number;
+}
+
+/**
+ * The resolver for games: many contacts, friction, ropes, cloth, rest. Contacts are found once a step, ahead of time. Then come small
+ * steps (M. Macklin et al.: Small Steps in Physics Simulation, 2019), in each of which forces act, links are kept by solvers of
+ * their own, and contacts by one pass of soft constraints (E. Catto: Solver2D, 2024); a last pass takes out the speed by which
+ * penetrations were undone. It is semi-implicit, whatever the world's integrator.
+ */
+export function substep(options: SubstepOptions = {}): Resolver {
+  requireOptions('substep', 'options', options, '{ subSteps: 4 }');
+  const { subSteps = 4 } = options;
+  requireInteger('substep', 'subSteps', subSteps, 1, 64);
+  return new SubstepResolver(subSteps);
+}
+
+class SubstepResolver implements Resolver {
+  readonly name = 'substep';
+  readonly #subSteps: number;
+  readonly #contacts = new ContactSolver();
+  readonly #links = new LinkGroups();
+  readonly #held = new HeldForces();
+
+  constructor(subSteps: number) {
+    this.#subSteps = subSteps;
+  }
+
+  step(simulation: Simulation, dt: number): boolean {
+    const { particles, forces, gravity, sources, time } = simulation;
+    const h = dt / this.#subSteps;
+    this.#contacts.find(simulation, dt, h);
+    this.#links.begin(sources, particles);
+    this.#held.note(particles);
+    for (let k = 0; k < this.#subSteps; k++) {
+      if (k > 0) this.#held.restore(particles);
+      forces.apply(h, time + k * h);
+      accelerateAll(particles, gravity, h);
+      this.#contacts.repeat(particles);
+      this.#links.solve(particles, h);
+      this.#contacts.solve(particles);
+      if (!move(particles, h)) return false;
+    }
+    this.#contacts.relax(particles);
+    this.#contacts.keep(simulation);
+    return allFinite(particles);
+  }
+}
+
+/** v' = (v + a·h)·d^h. */
+function accelerateAll(particles: ParticleStore, gravity: Readonly<Vec2>, h: number): void {
+  if (particles.accelerated) accelerateConstantly(particles, h);
+  accelerate(particles, gravity, h);
+  if (particles.damped) damp(particles, h);
+}
