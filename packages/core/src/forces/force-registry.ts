@@ -3,6 +3,7 @@ import { requireMembers } from '../particles/membership.ts';
 import type { Particle } from '../particles/particle.ts';
 import type { ParticleStore } from '../particles/particle-store.ts';
 import type { ForceGenerator } from './force-generator.ts';
+import { requireGenerator } from './require-generator.ts';
 import { TargetList } from './target-list.ts';
 
 /** Which generator acts on which particles. Generators run in the order in which they were first added. */
@@ -24,13 +25,7 @@ export class ForceRegistry {
 
   /** Adds particles to those that a generator acts on; without a list it acts on all, those to come included. */
   add(where: string, generator: ForceGenerator, particles?: Iterable<Particle>): void {
-    // A bare function has a method `apply`, that of every function: the likeliest slip must not pass for a generator.
-    if (typeof generator !== 'object' || typeof generator?.apply !== 'function') {
-      throw new TypeError(
-        `${where}: a force generator must have a method apply(particles, targets, dt); got ${describe(generator)}. ` +
-          'Wrap a function of one particle in forEachParticle.',
-      );
-    }
+    requireGenerator(where, generator);
     let targets = this.#everyone;
     if (particles !== undefined) {
       targets = this.#targets.get(generator) ?? new TargetList(this.#store, new Set());

@@ -97,8 +97,7 @@ export class World implements ParticleSpawner {
     return this.#simulation.gravity;
   }
   set gravity(value: Readonly<Vec2>) {
-    this.#requireBetweenSteps('World.gravity');
-    requireVector('World.gravity', 'gravity', value, 'metres per second squared');
+    requireVector(this.#betweenSteps('World.gravity'), 'gravity', value, 'metres per second squared');
     this.#simulation.gravity = Object.freeze({ x: value.x, y: value.y });
   }
 
@@ -188,75 +187,65 @@ export class World implements ParticleSpawner {
    * @returns The generator.
    */
   addForce<T extends ForceGenerator>(generator: T, particles?: Iterable<Particle>): T {
-    this.#requireBetweenSteps('World.addForce');
-    this.#forces.add('World.addForce', generator, particles);
+    this.#forces.add(this.#betweenSteps('World.addForce'), generator, particles);
     return generator;
   }
 
   /** Frees particles of a force, or, without a list, takes the force out of the world. */
   removeForce(generator: ForceGenerator, particles?: Iterable<Particle>): void {
-    this.#requireBetweenSteps('World.removeForce');
-    this.#forces.remove('World.removeForce', generator, particles);
+    this.#forces.remove(this.#betweenSteps('World.removeForce'), generator, particles);
   }
 
   /** Joins two ends from the next step on. @returns The link. */
   addLink<T extends Link>(link: T): T {
-    this.#requireBetweenSteps('World.addLink');
+    const where = this.#betweenSteps('World.addLink');
     for (const end of [link?.a, link?.b]) {
-      if (end instanceof Particle) requireMember('World.addLink', end, this.#store);
+      if (end instanceof Particle) requireMember(where, end, this.#store);
     }
-    this.#sources.addLink('World.addLink', link);
+    this.#sources.addLink(where, link);
     return link;
   }
 
   /** Takes a link out of the world. */
   removeLink(link: Link): void {
-    this.#requireBetweenSteps('World.removeLink');
-    this.#sources.removeLink('World.removeLink', link);
+    this.#sources.removeLink(this.#betweenSteps('World.removeLink'), link);
   }
 
   /** Builds a body, such as `box({ … })`, whole or, where it cannot be, not at all. @returns The body. */
   addBody(plan: BodyPlan): Body {
-    this.#requireBetweenSteps('World.addBody');
-    return this.#bodies.add('World.addBody', plan);
+    return this.#bodies.add(this.#betweenSteps('World.addBody'), plan);
   }
 
   /** Takes a body out of the world: its particles and all that hangs on them. */
   removeBody(body: Body): void {
-    this.#requireBetweenSteps('World.removeBody');
-    this.#bodies.remove('World.removeBody', body);
+    this.#bodies.remove(this.#betweenSteps('World.removeBody'), body);
   }
 
   /** Adds immovable scenery. @returns The shape. */
   addShape<T extends Shape>(shape: T): T {
-    this.#requireBetweenSteps('World.addShape');
-    this.#sources.shapes.add('World.addShape', shape);
+    this.#sources.shapes.add(this.#betweenSteps('World.addShape'), shape);
     return shape;
   }
 
   /** Takes scenery out of the world. */
   removeShape(shape: Shape): void {
-    this.#requireBetweenSteps('World.removeShape');
-    this.#sources.shapes.remove('World.removeShape', shape);
+    this.#sources.shapes.remove(this.#betweenSteps('World.removeShape'), shape);
   }
 
   /** Adds something that finds contacts, such as `DiscContacts`. @returns The generator. */
   addContactGenerator<T extends ContactGenerator>(generator: T): T {
-    this.#requireBetweenSteps('World.addContactGenerator');
-    this.#sources.generators.add('World.addContactGenerator', generator);
+    this.#sources.generators.add(this.#betweenSteps('World.addContactGenerator'), generator);
     return generator;
   }
 
   /** Takes a contact generator out of the world. */
   removeContactGenerator(generator: ContactGenerator): void {
-    this.#requireBetweenSteps('World.removeContactGenerator');
-    this.#sources.generators.remove('World.removeContactGenerator', generator);
+    this.#sources.generators.remove(this.#betweenSteps('World.removeContactGenerator'), generator);
   }
 
   /** Adds something that makes particles as time goes by. @returns The effect. */
   addEffect<T extends Effect>(effect: T): T {
-    this.#requireBetweenSteps('World.addEffect');
-    this.#effects.check('World.addEffect', effect);
+    this.#effects.check(this.#betweenSteps('World.addEffect'), effect);
     effect.attach?.(this);
     this.#effects.add('World.addEffect', effect);
     return effect;
@@ -264,8 +253,7 @@ export class World implements ParticleSpawner {
 
   /** Takes an effect out of the world; the particles that it made stay. */
   removeEffect(effect: Effect): void {
-    this.#requireBetweenSteps('World.removeEffect');
-    this.#effects.remove('World.removeEffect', effect);
+    this.#effects.remove(this.#betweenSteps('World.removeEffect'), effect);
     effect.detach?.();
   }
 
@@ -284,10 +272,9 @@ export class World implements ParticleSpawner {
    * @param dt - Duration, 0 or more; 0 changes nothing. The same each time is best: see `FixedTimestep`. Unit: s.
    */
   step(dt: number): void {
-    this.#requireBetweenSteps('World.step');
-    if (this.#stepping)
-      throw new Error('World.step: a step must end before the next; an effect or a listener took one.');
-    requireNonNegative('World.step', 'dt', dt, 'seconds', 'Time runs forward only.');
+    const where = this.#betweenSteps('World.step');
+    if (this.#stepping) throw new Error(`${where}: a step must end before the next; an effect or a listener took one.`);
+    requireNonNegative(where, 'dt', dt, 'seconds', 'Time runs forward only.');
     if (dt === 0) return;
     this.#simulation.before.save(this.#store);
     this.#resolve(dt);
@@ -336,9 +323,9 @@ export class World implements ParticleSpawner {
     }
   }
 
-  #requireBetweenSteps(where: string): void {
-    if (this.#store.locked) {
-      throw new Error(`${where}: this must be called between steps; a force generator called it within one.`);
-    }
+  /** Throws within a step. Returns `where`, for what else may be wrong there. */
+  #betweenSteps(where: string): string {
+    if (!this.#store.locked) return where;
+    throw new Error(`${where}: this must be called between steps; a force generator called it within one.`);
   }
 }

@@ -161,6 +161,7 @@ it.each([0, -1, NaN, Infinity, '1' as never])('[F72] refuses a duration of %s', 
 it('[F72] refuses what is no generator and no fuel', () => {
   expect(() => lasting(undefined as never, 1)).toThrow('lasting: a force generator must have a method apply');
   expect(() => fuelled(5 as never, { fuel: 1 })).toThrow('fuelled: a force generator must have a method apply');
+  expect(() => lasting((() => {}) as never, 1)).toThrow('Wrap a function of one particle in forEachParticle.');
   expect(() => fuelled(push, undefined as never)).toThrow('fuelled: options must be an object');
   expect(() => fuelled(push, { fuel: -1 })).toThrow('fuelled: fuel must be a finite number');
   expect(() => fuelled(push, { fuel: 1, perNewtonSecond: 0 })).toThrow('fuelled: perNewtonSecond must be');
