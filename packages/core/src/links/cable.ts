@@ -1,8 +1,8 @@
 import { checkedEnds, type End } from '../particles/end.ts';
-import { type BreakingOptions, DistanceLink, distanceNow } from './distance-link.ts';
+import { DistanceLink, distanceNow, type GivingOptions } from './distance-link.ts';
 
 /** How a cable is made. */
-export interface CableOptions extends BreakingOptions {
+export interface CableOptions extends GivingOptions {
   /** Greatest distance of the ends, positive. Unit: m. @default the distance of the ends at the time */
   maxLength?: number;
   /** Share of the speed given back when it snaps taut, 0 to 1. @default 0 */

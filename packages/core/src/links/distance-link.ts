@@ -3,7 +3,9 @@ import { requireNonNegative, requireOrdered, requirePositiveOrInfinite, requireS
 import { checkedEnds, type End, particleOf } from '../particles/end.ts';
 import { Particle } from '../particles/particle.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
-import type { Link } from './link.ts';
+import { forestSolver } from './forest-solver.ts';
+import type { LimitedLink } from './limited-link.ts';
+import type { LinkSolver } from './link.ts';
 
 /** When a link gives way. */
 export interface BreakingOptions {
@@ -13,8 +15,19 @@ export interface BreakingOptions {
   breakStrain?: number;
 }
 
+/** How a link gives. */
+export interface GivingOptions extends BreakingOptions {
+  /** How far it gives for each newton that it has to hold. The sub-step resolver alone heeds it. Unit: m/N. @default 0 */
+  compliance?: number;
+  /**
+   * How much it calms what swings on it, 0 to 1: 0 keeps the energy, 1 takes out some ω²·h/2 of it a second, for a swing at
+   * ω rad/s and small steps of h seconds. The sub-step resolver alone heeds it. @default 0
+   */
+  damping?: number;
+}
+
 /** What a distance link keeps. */
-export interface DistanceLinkOptions extends BreakingOptions {
+export interface DistanceLinkOptions extends GivingOptions {
   /** What it is, for drawing. */
   kind: string;
   /** Smallest distance of the ends. Unit: m. */
@@ -26,13 +39,19 @@ export interface DistanceLinkOptions extends BreakingOptions {
 }
 
 /** A link that keeps the distance of its two ends between a least and a greatest: see `rod` and `cable`. */
-export class DistanceLink implements Link {
+export class DistanceLink implements LimitedLink {
+  /** What keeps it in the sub-step resolver. */
+  readonly solver: () => LinkSolver = forestSolver;
   readonly a: End;
   readonly b: End;
   /** What it is, for drawing: 'rod', 'cable', or a game's own word. */
   readonly kind: string;
   /** Share of the closing speed given back at either limit, 0 to 1. */
   readonly restitution: number;
+  /** How far it gives for each newton that it has to hold. Unit: m/N. */
+  readonly compliance: number;
+  /** How much it calms what swings on it, 0 to 1. */
+  readonly damping: number;
   /** Breaks when it has to hold more. Unit: N. */
   readonly breakForce: number;
   /** Breaks when it is off its length by more than this share of it. */
@@ -46,7 +65,8 @@ export class DistanceLink implements Link {
   readonly #pointY: number;
 
   constructor(where: string, a: End, b: End, options: DistanceLinkOptions) {
-    const { kind, minLength, maxLength, restitution = 0, breakForce = Infinity, breakStrain = Infinity } = options;
+    const { kind, minLength, maxLength, restitution = 0, compliance = 0, damping = 0 } = options;
+    const { breakForce = Infinity, breakStrain = Infinity } = options;
     [this.a, this.b] = checkedEnds(where, a, b);
     const [first, second] = this.a instanceof Particle ? [this.a, this.b] : [this.b as Particle, this.a];
     this.#i = first.slot;
@@ -57,12 +77,16 @@ export class DistanceLink implements Link {
     requirePositiveOrInfinite(where, 'maxLength', maxLength, 'metres');
     requireOrdered(where, 'length', minLength, maxLength, 'm');
     requireShare(where, 'restitution', restitution);
+    requireNonNegative(where, 'compliance', compliance, 'metres per newton');
+    requireShare(where, 'damping', damping);
     requirePositiveOrInfinite(where, 'breakForce', breakForce, 'newtons');
     requirePositiveOrInfinite(where, 'breakStrain', breakStrain, '');
     this.kind = kind;
     this.#minLength = minLength;
     this.#maxLength = maxLength;
     this.restitution = restitution;
+    this.compliance = compliance;
+    this.damping = damping;
     this.breakForce = breakForce;
     this.breakStrain = breakStrain;
   }
