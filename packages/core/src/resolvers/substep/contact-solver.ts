@@ -21,8 +21,9 @@ export class ContactSolver {
   #h = 0;
   #soft = RIGID;
   #scenerySoft = RIGID;
-  /** Closing speed up to which a contact rests. Unit: m/s. */
+  /** Closing speed up to which a contact rests: what gravity gives in a step; and up to which it is calm. Unit: m/s. */
   #resting = 0;
+  #calm = 0;
 
   /**
    * Finds the contacts of the step. Reads the particles, links, shapes and generators. Writes the contacts and the rows.
@@ -34,6 +35,7 @@ export class ContactSolver {
     contacts.lookAhead = dt;
     contacts.margin = g * dt * dt;
     this.#resting = g * dt;
+    this.#calm = 2 * g * dt;
     sources.gather(contacts, dt, true);
     this.#memory.recall(contacts, sources.links.length, h);
     this.#rows.build(contacts, particles);
@@ -54,8 +56,8 @@ export class ContactSolver {
     const rows = this.#rows;
     if (rows.count === 0) return;
     this.#motion.note(particles);
-    solveContacts(rows, 0, rows.pairCount, particles, this.#soft, this.#h);
-    solveContacts(rows, rows.pairCount, rows.count, particles, this.#scenerySoft, this.#h);
+    solveContacts(rows, 0, rows.pairCount, particles, this.#soft, this.#h, this.#calm);
+    solveContacts(rows, rows.pairCount, rows.count, particles, this.#scenerySoft, this.#h, this.#calm);
     this.#motion.learn(particles);
     sumImpulses(rows);
   }
@@ -63,7 +65,7 @@ export class ContactSolver {
   /** Takes out the speed by which penetrations were undone, then gives back what hits give back. Reads x, y. Writes vx, vy. */
   relax(particles: ParticleArrays): void {
     const rows = this.#rows;
-    solveContacts(rows, 0, rows.count, particles, RIGID, this.#h);
+    solveContacts(rows, 0, rows.count, particles, RIGID, this.#h, this.#calm);
     giveBack(rows, particles, this.#resting);
   }
 
