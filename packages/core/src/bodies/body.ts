@@ -67,8 +67,14 @@ export class Body {
 
   /** Its links that are left. It looks through the links of the world: not for every frame of many bodies. */
   get links(): readonly Link[] {
-    if (!this.alive) return [];
-    const left = new Set(this.#site.links);
+    return this.alive ? this.linksAmong(new Set(this.#site.links)) : [];
+  }
+
+  /**
+   * Its links that are among those that are left in the world.
+   * @internal
+   */
+  linksAmong(left: ReadonlySet<Link>): readonly Link[] {
     return this.#links.filter((link) => left.has(link));
   }
 

@@ -1,9 +1,9 @@
-import { type ContactBuffer, SCENERY } from '../../contacts/contact-buffer.ts';
+import { type ContactBuffer, NO_EDGE, SCENERY } from '../../contacts/contact-buffer.ts';
 
 /**
  * Which contacts each particle has a part in, and all that is needed to find their numbers anew, in one run of memory: those
  * of slot s are the entries `first[s]` to `first[s + 1] - 1`. Each contact has an entry with either of its particles, seen
- * from there. Scenery counts as one more slot, after all others, that has no entries.
+ * from there. Scenery counts as one more slot, after all others, that has no entries. Contacts with edges stand in `EdgeEntries`.
  */
 export class ContactTable {
   first: Int32Array = new Int32Array(1);
@@ -17,13 +17,13 @@ export class ContactTable {
 
   /** Leaves out contacts of which neither can move. Reads a, b, normal, inverseMass. Writes the table. */
   build(contacts: ContactBuffer, inverseMass: Float64Array, slotCount: number): void {
-    const { count, a, b, normalX, normalY } = contacts;
+    const { count, a, b, normalX, normalY, edgeEnd } = contacts;
     this.#reserve(slotCount, count);
     const { first } = this;
     first.fill(0, 0, slotCount + 1);
     for (let c = 0; c < count; c++) {
       const j = b[c] === SCENERY ? slotCount : b[c];
-      if (inverseMass[a[c]] + inverseMass[j] === 0) continue;
+      if (edgeEnd[c] !== NO_EDGE || inverseMass[a[c]] + inverseMass[j] === 0) continue;
       first[a[c]]++;
       if (j < slotCount) first[j]++;
     }
@@ -34,7 +34,7 @@ export class ContactTable {
     for (let c = count - 1; c >= 0; c--) {
       const i = a[c];
       const j = b[c] === SCENERY ? slotCount : b[c];
-      if (inverseMass[i] + inverseMass[j] === 0) continue;
+      if (edgeEnd[c] !== NO_EDGE || inverseMass[i] + inverseMass[j] === 0) continue;
       this.#write(--first[i], c, j, normalX[c], normalY[c]);
       if (j < slotCount) this.#write(--first[j], c, i, -normalX[c], -normalY[c]);
     }

@@ -1,28 +1,11 @@
-import { type ContactBuffer, SCENERY } from '../../contacts/contact-buffer.ts';
+import { type ContactBuffer, NO_EDGE, SCENERY } from '../../contacts/contact-buffer.ts';
 import type { ContactTable } from './contact-table.ts';
+import { type EdgeEntries, numberEdges, renewEdges, resolveEdge } from './edge-entries.ts';
 import { type LeastTree, leastLeaf, setLeaf } from './least-tree.ts';
+import type { Phase } from './phase.ts';
 
 /** What counts as none: a closing speed in m/s, a penetration in m. */
 export const EPSILON = 1e-9;
-
-/**
- * What one of the two phases works on. The number of a contact is (u_a - u_b)·n less its penetration: the least is the most
- * severe. For velocities u is the velocity and the penetration 0; for penetrations u is how far the phase has moved things.
- */
-export interface Phase {
-  /** u of each slot, x and y in turn; scenery, after all others, has 0. */
-  readonly u: Float64Array;
-  /** Of each slot, scenery included. Unit: 1/kg. */
-  readonly inverseMass: Float64Array;
-  /** Of each contact. */
-  readonly penetration: Float64Array;
-  /** A contact whose number is no less than minus this comes out at 0. */
-  readonly resting: Float64Array;
-  /** Any other comes out at minus its number times this. */
-  readonly restitution: Float64Array;
-  /** Sum of what went along the normal, times mass. */
-  readonly impulse: Float64Array;
-}
 
 /**
  * Resolves, one by one, the most severe contact: its number is brought up to where it should be by a change of u along the
@@ -34,12 +17,15 @@ export interface Phase {
  * @returns How many were resolved.
  */
 export function resolveMostSevereFirst(
-  { count, a, b, normalX, normalY }: ContactBuffer,
-  { u, inverseMass, penetration, resting, restitution, impulse }: Phase,
+  contacts: ContactBuffer,
+  phase: Phase,
   table: ContactTable,
+  edges: EdgeEntries,
   tree: LeastTree,
   limit: number,
 ): number {
+  const { count, a, b, normalX, normalY, edgeEnd } = contacts;
+  const { u, inverseMass, penetration, resting, restitution, impulse } = phase;
   const { first, contact, other, normalX: entryX, normalY: entryY } = table;
   const scenery = u.length / 2 - 1;
   tree.resize(count);
@@ -47,16 +33,21 @@ export function resolveMostSevereFirst(
   for (let c = 0; c < count; c++) {
     const i = a[c];
     const j = b[c] === SCENERY ? scenery : b[c];
-    if (inverseMass[i] + inverseMass[j] === 0) continue;
+    if (edgeEnd[c] !== NO_EDGE || inverseMass[i] + inverseMass[j] === 0) continue;
     nodes[leaves + c] =
       (u[i * 2] - u[j * 2]) * normalX[c] + (u[i * 2 + 1] - u[j * 2 + 1]) * normalY[c] - penetration[c];
   }
+  if (edges.count > 0) numberEdges(contacts, phase, edges, tree);
   tree.build();
 
   for (let iteration = 0; iteration < limit; iteration++) {
     const value = nodes[1];
     if (!(value < -EPSILON)) return iteration;
     const c = leastLeaf(nodes, leaves) - leaves;
+    if (edgeEnd[c] !== NO_EDGE) {
+      resolveEdge(c, contacts, phase, table, edges, tree);
+      continue;
+    }
     const i = a[c];
     const j = b[c] === SCENERY ? scenery : b[c];
     const after = -value <= resting[c] ? 0 : -restitution[c] * value;
@@ -69,6 +60,10 @@ export function resolveMostSevereFirst(
     if (j !== scenery) {
       u[j * 2] -= J * inverseMass[j] * normalX[c];
       u[j * 2 + 1] -= J * inverseMass[j] * normalY[c];
+    }
+    if (edges.count > 0) {
+      renewEdges(i, contacts, phase, edges, tree);
+      renewEdges(j, contacts, phase, edges, tree);
     }
     for (let t = first[i]; t < first[i + 1]; t++) {
       const o = other[t] * 2;

@@ -1,4 +1,4 @@
-import { type ContactBuffer, SCENERY } from '../../contacts/contact-buffer.ts';
+import { type ContactBuffer, NO_EDGE, SCENERY } from '../../contacts/contact-buffer.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 
 /**
@@ -10,13 +10,13 @@ import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 const RESTING_SLACK = 4.04;
 
 /**
- * The closing speed up to which a contact rests: what the acceleration of its two particles in this step, each towards the
+ * The closing speed up to which a contact rests: what the acceleration of its particles in this step, each towards the
  * other, can build. The acceleration is the total one, as the step found it. (Each on its own, not their difference: so
  * the upper of two that fell together rests on the lower that has just been stopped.)
  * Reads vx, vy, normal and the velocities before the forces acted. Writes resting.
  */
 export function findRestingSpeeds(
-  { count, a, b, normalX, normalY }: ContactBuffer,
+  { count, a, b, normalX, normalY, edgeEnd, edgeShare }: ContactBuffer,
   { vx, vy }: ParticleArrays,
   before: { readonly vx: Float64Array; readonly vy: Float64Array },
   resting: Float64Array,
@@ -28,7 +28,12 @@ export function findRestingSpeeds(
     const nx = normalX[c];
     const ny = normalY[c];
     let speed = Math.max(0, -((vx[i] - ux[i]) * nx + (vy[i] - uy[i]) * ny));
-    if (j !== SCENERY) speed += Math.max(0, (vx[j] - ux[j]) * nx + (vy[j] - uy[j]) * ny);
+    if (j !== SCENERY) {
+      let ofSecond = (vx[j] - ux[j]) * nx + (vy[j] - uy[j]) * ny;
+      const k = edgeEnd[c];
+      if (k !== NO_EDGE) ofSecond += edgeShare[c] * ((vx[k] - ux[k]) * nx + (vy[k] - uy[k]) * ny - ofSecond);
+      speed += Math.max(0, ofSecond);
+    }
     resting[c] = speed * RESTING_SLACK;
   }
 }

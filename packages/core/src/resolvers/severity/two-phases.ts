@@ -1,14 +1,17 @@
 import type { ContactBuffer } from '../../contacts/contact-buffer.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 import { ContactTable } from './contact-table.ts';
+import { EdgeEntries } from './edge-entries.ts';
 import { LeastTree } from './least-tree.ts';
-import { type Phase, resolveMostSevereFirst } from './most-severe-first.ts';
+import { resolveMostSevereFirst } from './most-severe-first.ts';
+import type { Phase } from './phase.ts';
 
 /** Velocities, then penetrations, each by its own severity. Keeps what the two need from step to step. */
 export class TwoPhases {
   /** For each contact the closing speed up to which it rests: to be written between `begin` and `resolve`. Unit: m/s. */
   resting: Float64Array = new Float64Array(0);
   readonly #table = new ContactTable();
+  readonly #edges = new EdgeEntries();
   readonly #tree = new LeastTree();
   /** For each contact what a phase does without: no penetration; rest at any speed; an impulse that nobody reads. */
   #none = new Float64Array(0);
@@ -27,6 +30,7 @@ export class TwoPhases {
     }
     for (let i = 0; i < count; i++) this.#inverseMass[i] = inverseMass[i];
     this.#table.build(contacts, this.#inverseMass, count);
+    this.#edges.build(contacts, this.#inverseMass, count);
   }
 
   /**
@@ -61,7 +65,7 @@ export class TwoPhases {
   ): void {
     const { restitution } = contacts;
     const phase: Phase = { u: this.#u, inverseMass: this.#inverseMass, penetration, resting, restitution, impulse };
-    resolveMostSevereFirst(contacts, phase, this.#table, this.#tree, limit);
+    resolveMostSevereFirst(contacts, phase, this.#table, this.#edges, this.#tree, limit);
   }
 
   #reserve(contactCount: number): void {

@@ -1,4 +1,4 @@
-import { SCENERY } from '../../../src/contacts/contact-buffer.ts';
+import { NO_EDGE, SCENERY } from '../../../src/contacts/contact-buffer.ts';
 import type { Resolver } from '../../../src/resolvers/resolver.ts';
 import type { Simulation } from '../../../src/world/simulation.ts';
 
@@ -8,6 +8,9 @@ const EPSILON = 1e-9;
 interface Contact {
   readonly a: number;
   readonly b: number;
+  /** The other end of the edge from `b`, else `NO_EDGE`; and where on it. */
+  readonly e: number;
+  readonly t: number;
   readonly nx: number;
   readonly ny: number;
   readonly penetration: number;
@@ -41,18 +44,37 @@ export class PlainSeverity implements Resolver {
     for (let c = 0; c < contacts.count; c++) {
       const [a, b, nx, ny] = [contacts.a[c], contacts.b[c], contacts.normalX[c], contacts.normalY[c]];
       const builtUp = (i: number) => (vx[i] - before.vx[i]) * nx + (vy[i] - before.vy[i]) * ny;
-      const resting = 4.04 * (Math.max(0, -builtUp(a)) + (b === SCENERY ? 0 : Math.max(0, builtUp(b))));
+      const [e, t] = [contacts.edgeEnd[c], contacts.edgeShare[c]];
+      let ofSecond = b === SCENERY ? 0 : builtUp(b);
+      if (e !== NO_EDGE) ofSecond += t * (builtUp(e) - ofSecond);
+      const resting = 4.04 * (Math.max(0, -builtUp(a)) + Math.max(0, ofSecond));
       const [penetration, restitution] = [contacts.penetration[c], contacts.restitution[c]];
-      list.push({ a, b, nx, ny, penetration, restitution, resting, impulse: 0 });
+      list.push({ a, b, e, t, nx, ny, penetration, restitution, resting, impulse: 0 });
     }
-    const movable = list.filter(({ a, b }) => inverseMass[a] + (b === SCENERY ? 0 : inverseMass[b]) > 0);
+    const weight = ({ a, b, e, t }: Contact): number => {
+      if (e !== NO_EDGE) return inverseMass[a] + (1 - t) * (1 - t) * inverseMass[b] + t * t * inverseMass[e];
+      return inverseMass[a] + (b === SCENERY ? 0 : inverseMass[b]);
+    };
+    const movable = list.filter((contact) => weight(contact) > 0);
     const limit = this.#limit ?? list.length * 2;
     const shiftX = new Float64Array(count);
     const shiftY = new Float64Array(count);
 
-    const change = ({ a, b, nx, ny }: Contact, ux: Float64Array, uy: Float64Array, by: number): number => {
+    const change = (contact: Contact, ux: Float64Array, uy: Float64Array, by: number): number => {
+      const { a, b, e, t, nx, ny } = contact;
+      const share = by / weight(contact);
+      if (e !== NO_EDGE) {
+        for (const [slot, J] of [
+          [a, share],
+          [b, (t - 1) * share],
+          [e, -t * share],
+        ]) {
+          ux[slot] += J * inverseMass[slot] * nx;
+          uy[slot] += J * inverseMass[slot] * ny;
+        }
+        return share;
+      }
       const [wa, wb] = [inverseMass[a], b === SCENERY ? 0 : inverseMass[b]];
-      const share = by / (wa + wb);
       ux[a] += share * wa * nx;
       uy[a] += share * wa * ny;
       if (b !== SCENERY) {
@@ -61,8 +83,11 @@ export class PlainSeverity implements Resolver {
       }
       return share;
     };
-    const along = ({ a, b, nx, ny }: Contact, ux: Float64Array, uy: Float64Array): number =>
-      b === SCENERY ? ux[a] * nx + uy[a] * ny : (ux[a] - ux[b]) * nx + (uy[a] - uy[b]) * ny;
+    const along = ({ a, b, e, t, nx, ny }: Contact, ux: Float64Array, uy: Float64Array): number => {
+      if (b === SCENERY) return ux[a] * nx + uy[a] * ny;
+      if (e === NO_EDGE) return (ux[a] - ux[b]) * nx + (uy[a] - uy[b]) * ny;
+      return (ux[a] - (ux[b] + t * (ux[e] - ux[b]))) * nx + (uy[a] - (uy[b] + t * (uy[e] - uy[b]))) * ny;
+    };
 
     this.velocityIterations = repeat(
       movable,

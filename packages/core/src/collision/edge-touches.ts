@@ -1,0 +1,182 @@
+import type { ContactBuffer } from '../contacts/contact-buffer.ts';
+import type { ParticleArrays } from '../particles/particle-arrays.ts';
+import { type EdgeBounds, THIN_SHARE } from './edge-bounds.ts';
+import { EdgeSides } from './edge-sides.ts';
+import { type EdgeTable, NONE } from './edge-table.ts';
+import { TouchList } from './edge-touch-list.ts';
+import { EARLY_SHARE } from './shape-contacts.ts';
+import { timeOfTouch } from './swept-discs.ts';
+
+/** How far beyond the ends of an edge a point may touch it, as a share of the edge: two equal boxes have corner on corner. */
+const ROUNDING = 1e-6;
+
+/**
+ * Where a particle touches the edges of a hull. An edge is as thick as the thinner of its ends; beyond an end it is round, and there a
+ * particle touches the end's disc. What will touch within the time that the contacts look ahead is taken as it will then be, and
+ * its gap is measured along the normal of that moment.
+ */
+export class EdgeTouches {
+  readonly list: TouchList = new TouchList();
+  readonly #table: EdgeTable;
+  readonly #bounds: EdgeBounds;
+  readonly #sides: EdgeSides;
+  #particles!: ParticleArrays;
+  #lookAhead = 0;
+  #margin = 0;
+
+  constructor(table: EdgeTable, bounds: EdgeBounds) {
+    this.#table = table;
+    this.#bounds = bounds;
+    this.#sides = new EdgeSides(table, bounds);
+  }
+
+  /** Begins a step. */
+  begin(particles: ParticleArrays, { lookAhead, margin }: ContactBuffer, dt: number): void {
+    this.#particles = particles;
+    this.#lookAhead = lookAhead;
+    this.#sides.begin(particles, dt - lookAhead);
+    this.#margin = margin;
+  }
+
+  /** Lists where a particle touches a hull. Reads x, y, vx, vy, radius. */
+  find(p: number, h: number): void {
+    const { first, ring } = this.#table.hulls;
+    if (ring[h] === 0) {
+      this.#touchEdge(p, first[h], this.#sides.sideOf(p, first[h]), false);
+    } else {
+      const out = this.#sides.wayOut(p, h);
+      if (out !== NONE) {
+        this.#push(p, out, this.#bounds.turn[h]);
+        return;
+      }
+      for (let k = first[h]; k < first[h + 1]; k++) this.#touchEdge(p, k, this.#bounds.turn[h], true);
+    }
+    const { start, end } = this.#table.edges;
+    const { home } = this.#table.slots;
+    for (let k = first[h]; k < first[h + 1]; k++) {
+      if (home[start[k]] === k) this.#touchEnd(p, start[k]);
+      if (home[end[k]] === k) this.#touchEnd(p, end[k]);
+    }
+  }
+
+  /**
+   * Lists a touch between the ends of an edge.
+   * @param side - 1 where the particle belongs to the right of the edge, -1 to the left.
+   * @param ring - Whether the other side is the inside of a ring, where others touch.
+   */
+  #touchEdge(p: number, k: number, side: number, ring: boolean): void {
+    const { x, y, vx, vy, radius } = this.#particles;
+    const b = this.#table.edges.start[k];
+    const e = this.#table.edges.end[k];
+    if (p === b || p === e) return;
+    const ex = x[e] - x[b];
+    const ey = y[e] - y[b];
+    const px = x[p] - x[b];
+    const py = y[p] - y[b];
+    const area = side * (px * ey - py * ex);
+    if (area < 0 && ring) return;
+    const square = ex * ex + ey * ey;
+    if (square === 0) return;
+    const sum = radius[p] + Math.min(radius[b], radius[e]);
+    const length = Math.sqrt(square);
+    const gap = area / length;
+    const near = (sum === 0 ? THIN_SHARE * length : sum * (1 + EARLY_SHARE)) + this.#margin;
+    if (gap < near) {
+      const share = (px * ex + py * ey) / square;
+      const beyond = sum === 0 ? ROUNDING : 0; // points have no discs that touch beyond the ends
+      if (share > -beyond && share < 1 + beyond)
+        this.list.add(b, e, share, (side * ey) / length, (-side * ex) / length, sum - gap);
+      return;
+    }
+    const ahead = this.#lookAhead;
+    if (ahead === 0) return;
+    // The gap when the time is over, and when it will close, as if it closed evenly.
+    const fx = ex + (vx[e] - vx[b]) * ahead;
+    const fy = ey + (vy[e] - vy[b]) * ahead;
+    const qx = px + (vx[p] - vx[b]) * ahead;
+    const qy = py + (vy[p] - vy[b]) * ahead;
+    const then = (side * (qx * fy - qy * fx)) / Math.sqrt(fx * fx + fy * fy);
+    if (!(then < near)) return;
+    const time = Math.min(1, (gap - sum) / (gap - then));
+    const tx = ex + (fx - ex) * time;
+    const ty = ey + (fy - ey) * time;
+    const reach = Math.sqrt(tx * tx + ty * ty);
+    const share = ((px + (qx - px) * time) * tx + (py + (qy - py) * time) * ty) / (reach * reach);
+    if (!(share >= 0 && share <= 1)) return;
+    const nx = (side * ty) / reach;
+    const ny = (-side * tx) / reach;
+    this.list.add(b, e, share, nx, ny, sum - (px - share * ex) * nx - (py - share * ey) * ny);
+  }
+
+  /** Lists a touch of the disc of an end, where the particle is beyond that end for each of its edges, and it for the particle's. */
+  #touchEnd(p: number, q: number): void {
+    const { x, y, vx, vy, radius } = this.#particles;
+    const { home } = this.#table.slots;
+    if (p === q || (p > q && home[p] !== NONE)) return; // found from the lower of the two
+    const sum = radius[p] + radius[q];
+    if (sum === 0) return;
+    const dx = x[p] - x[q];
+    const dy = y[p] - y[q];
+    const near = sum * (1 + EARLY_SHARE) + this.#margin;
+    const square = dx * dx + dy * dy;
+    let nx = 0;
+    let ny = 1; // concentric discs define no direction: any will do
+    let time = 0;
+    if (square < near * near) {
+      const distance = Math.sqrt(square);
+      if (distance > 0) {
+        nx = dx / distance;
+        ny = dy / distance;
+      }
+    } else {
+      if (this.#lookAhead === 0) return;
+      const ux = (vx[p] - vx[q]) * this.#lookAhead;
+      const uy = (vy[p] - vy[q]) * this.#lookAhead;
+      time = timeOfTouch(dx, dy, ux, uy, sum + this.#margin);
+      if (!(time <= 1)) return;
+      const tx = dx + ux * time;
+      const ty = dy + uy * time;
+      const distance = Math.sqrt(tx * tx + ty * ty);
+      nx = tx / distance;
+      ny = ty / distance;
+    }
+    if (!this.#isBeyond(p, q, time) || !this.#isBeyond(q, p, time)) return;
+    this.list.add(q, NONE, 0, nx, ny, sum - dx * nx - dy * ny);
+  }
+
+  /** Whether a particle is beyond an end for each of its edges, but for those that are thinner than the end itself. */
+  #isBeyond(p: number, q: number, time: number): boolean {
+    const { x, y, vx, vy, radius } = this.#particles;
+    const { neighbour } = this.#table;
+    const { firstNeighbour } = this.#table.slots;
+    const t = time * this.#lookAhead;
+    for (let n = firstNeighbour[q]; n < firstNeighbour[q + 1]; n++) {
+      const o = neighbour[n];
+      if (radius[o] < radius[q]) continue;
+      const dx = x[p] - x[q] + (vx[p] - vx[q]) * t;
+      const dy = y[p] - y[q] + (vy[p] - vy[q]) * t;
+      const ex = x[o] - x[q] + (vx[o] - vx[q]) * t;
+      const ey = y[o] - y[q] + (vy[o] - vy[q]) * t;
+      if (dx * ex + dy * ey > 0) return false;
+    }
+    return true;
+  }
+
+  /** Lists a touch with an edge that the particle is behind. */
+  #push(p: number, k: number, side: number): void {
+    const { x, y, radius } = this.#particles;
+    const b = this.#table.edges.start[k];
+    const e = this.#table.edges.end[k];
+    const ex = x[e] - x[b];
+    const ey = y[e] - y[b];
+    const px = x[p] - x[b];
+    const py = y[p] - y[b];
+    const square = ex * ex + ey * ey;
+    if (square === 0) return;
+    const length = Math.sqrt(square);
+    const share = Math.max(0, Math.min(1, (px * ex + py * ey) / square));
+    const nx = (side * ey) / length;
+    const ny = (-side * ex) / length;
+    this.list.add(b, e, share, nx, ny, radius[p] + Math.min(radius[b], radius[e]) - px * nx - py * ny);
+  }
+}
