@@ -1,10 +1,14 @@
-import { requireFinite, requireOptions, requirePositive, requireShare, requireVector } from '../math/checks.ts';
+import { requireFinite, requireOptions, requirePositive, requireVector } from '../math/checks.ts';
 import { cos, sin } from '../math/trigonometry.ts';
 import type { Vec2 } from '../math/vec2.ts';
-import type { Shape, SurfaceReport } from './shape.ts';
+import { Edges } from './edges.ts';
+import type { Shape } from './shape.ts';
+import { Surface, type SurfaceOptions } from './surface.ts';
+import type { SurfaceReport } from './surface-report.ts';
+import type { Sweep } from './sweep.ts';
 
 /** How an immovable box is made. */
-export interface BoxOptions {
+export interface BoxOptions extends SurfaceOptions {
   /** Unit: m. */
   centre: Readonly<Vec2>;
   /** Along its own x axis, positive. Unit: m. */
@@ -13,13 +17,10 @@ export interface BoxOptions {
   height: number;
   /** How far it is turned, counter-clockwise. Unit: rad. @default 0 */
   angle?: number;
-  /** Share of the closing speed that is given back, 0 to 1. @default 0 */
-  restitution?: number;
 }
 
 /** An immovable, solid box. A particle whose centre is inside is pushed out through the nearest side. */
-export class Box implements Shape {
-  readonly restitution: number;
+export class Box extends Surface implements Shape {
   readonly minX: number;
   readonly minY: number;
   readonly maxX: number;
@@ -34,20 +35,20 @@ export class Box implements Shape {
   readonly angle: number;
   readonly #cos: number;
   readonly #sin: number;
+  readonly #edges: Edges;
 
   constructor(options: BoxOptions) {
     requireOptions('Box', 'options', options, '{ centre: { x: 0, y: 0 }, width: 2, height: 1 }');
-    const { centre, width, height, angle = 0, restitution = 0 } = options;
+    super('Box', options);
+    const { centre, width, height, angle = 0 } = options;
     requireVector('Box', 'centre', centre, 'metres');
     requirePositive('Box', 'width', width, 'metres');
     requirePositive('Box', 'height', height, 'metres');
     requireFinite('Box', 'angle', angle, 'radians');
-    requireShare('Box', 'restitution', restitution);
     this.centre = Object.freeze({ x: centre.x, y: centre.y });
     this.width = width;
     this.height = height;
     this.angle = angle;
-    this.restitution = restitution;
     this.#cos = cos(angle);
     this.#sin = sin(angle);
     const halfX = (Math.abs(this.#cos) * width + Math.abs(this.#sin) * height) / 2;
@@ -56,6 +57,7 @@ export class Box implements Shape {
     this.minY = centre.y - halfY;
     this.maxX = centre.x + halfX;
     this.maxY = centre.y + halfY;
+    this.#edges = new Edges(this.corners, true);
   }
 
   /** Its corners, counter-clockwise from the one at its own lower left. Unit: m. */
@@ -84,6 +86,10 @@ export class Box implements Shape {
     } else if (overV < reach) {
       this.#add(overV, 0, signV, surface);
     }
+  }
+
+  sweep(sweep: Sweep): void {
+    this.#edges.tell(sweep, 0, 'right');
   }
 
   #add(distance: number, nu: number, nv: number, surface: SurfaceReport): void {

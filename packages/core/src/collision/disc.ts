@@ -1,20 +1,20 @@
-import { requireOptions, requirePositive, requireShare, requireVector } from '../math/checks.ts';
+import { requireOptions, requirePositive, requireVector } from '../math/checks.ts';
 import type { Vec2 } from '../math/vec2.ts';
-import type { Shape, SurfaceReport } from './shape.ts';
+import type { Shape } from './shape.ts';
+import { Surface, type SurfaceOptions } from './surface.ts';
+import type { SurfaceReport } from './surface-report.ts';
+import type { Sweep } from './sweep.ts';
 
 /** How an immovable disc is made. */
-export interface DiscOptions {
+export interface DiscOptions extends SurfaceOptions {
   /** Unit: m. */
   centre: Readonly<Vec2>;
   /** Positive. Unit: m. */
   radius: number;
-  /** Share of the closing speed that is given back, 0 to 1. @default 0 */
-  restitution?: number;
 }
 
 /** An immovable, solid disc: a peg, a bumper, a planet. */
-export class Disc implements Shape {
-  readonly restitution: number;
+export class Disc extends Surface implements Shape {
   readonly minX: number;
   readonly minY: number;
   readonly maxX: number;
@@ -26,13 +26,12 @@ export class Disc implements Shape {
 
   constructor(options: DiscOptions) {
     requireOptions('Disc', 'options', options, '{ centre: { x: 0, y: 0 }, radius: 1 }');
-    const { centre, radius, restitution = 0 } = options;
+    super('Disc', options);
+    const { centre, radius } = options;
     requireVector('Disc', 'centre', centre, 'metres');
     requirePositive('Disc', 'radius', radius, 'metres');
-    requireShare('Disc', 'restitution', restitution);
     this.centre = Object.freeze({ x: centre.x, y: centre.y });
     this.radius = radius;
-    this.restitution = restitution;
     this.minX = centre.x - radius;
     this.minY = centre.y - radius;
     this.maxX = centre.x + radius;
@@ -48,5 +47,9 @@ export class Disc implements Shape {
     if (gap === 0)
       surface.add(distance, 0, 1); // the centre defines no direction: any will do
     else surface.add(distance, dx / gap, dy / gap);
+  }
+
+  sweep(sweep: Sweep): void {
+    sweep.corner(this.centre.x, this.centre.y, this.radius, 0, 0, 0, 0);
   }
 }

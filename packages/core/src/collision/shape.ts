@@ -1,14 +1,23 @@
-/** Immovable scenery that particles collide with. A game's own is made the same way. */
-export interface Shape {
-  /** Share of the closing speed that is given back; of this and the particle's the greater counts. 0 to 1. */
+import type { SurfaceOptions } from './surface.ts';
+import type { SurfaceReport } from './surface-report.ts';
+import type { Sweep } from './sweep.ts';
+
+/**
+ * Immovable scenery that particles collide with. A game's own is made the same way. It stays where it is and as it is while it is in a
+ * world: to move one, take it out and add another.
+ */
+export interface Shape extends SurfaceOptions {
   readonly restitution: number;
-  /** Coefficient of friction, 0 or more; of this and the particle's the geometric mean counts. @default 0 */
   readonly friction?: number;
-  /**
-   * How fast the surface moves along the tangent (normalY, -normalX), to the right on a floor: a conveyor. It pulls by
-   * friction. Unit: m/s. @default 0
-   */
   readonly surfaceSpeed?: number;
+  readonly sensor?: boolean;
+  readonly category?: number;
+  readonly mask?: number;
+  readonly filter?: ((slot: number) => boolean) | undefined;
+  /** Whether it is solid from the front of its normals alone: it then reports nothing to a point behind. @default false */
+  readonly oneSided?: boolean;
+  /** Of a wall that is solid from both sides. Unit: m. */
+  readonly thickness?: number;
   /** The box around the shape, infinite where it has no end: particles farther off are not asked about. Unit: m. */
   readonly minX: number;
   readonly minY: number;
@@ -21,15 +30,9 @@ export interface Shape {
    * @param reach - How near a place must be to be reported. Unit: m.
    */
   findSurface(x: number, y: number, reach: number, surface: SurfaceReport): void;
-}
-
-/** Where a shape reports its places. */
-export interface SurfaceReport {
   /**
-   * Reports a place.
-   * @param distance - From the surface to the point, negative inside. Unit: m.
-   * @param normalX - Unit normal at the place, out of the shape.
-   * @param normalY - Unit normal at the place, out of the shape.
+   * Tells a disc on its way of the flats and the corners that it may meet. A shape without this is walked up to by the distances that it
+   * reports: then a part of it that is thinner than half the disc's radius, and only grazed, may be missed.
    */
-  add(distance: number, normalX: number, normalY: number): void;
+  sweep?(sweep: Sweep): void;
 }

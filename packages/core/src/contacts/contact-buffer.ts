@@ -2,6 +2,7 @@ import { describe, requireFinite, requireNonNegative, requireShare } from '../ma
 import { growColumns } from '../math/columns.ts';
 import type { ContactArrays } from './contact-arrays.ts';
 import type { Contacts } from './contacts.ts';
+import { SensorTouches } from './sensor-touches.ts';
 
 const FIRST_CAPACITY = 64;
 
@@ -31,6 +32,9 @@ export class ContactBuffer implements Contacts, ContactArrays {
   /** Where the contact comes from: see `ContactSources.at`. */
   source: Int32Array = new Int32Array(FIRST_CAPACITY);
 
+  /** What touches a sensor. */
+  readonly sensors: SensorTouches = new SensorTouches();
+
   leftOut = 0;
   /** How far ahead generators look. Unit: s. */
   lookAhead = 0;
@@ -57,6 +61,7 @@ export class ContactBuffer implements Contacts, ContactArrays {
   clear(slotCount: number, linkedPairs: ReadonlySet<number>): void {
     this.count = 0;
     this.leftOut = 0;
+    this.sensors.count = 0;
     this.#slotCount = slotCount;
     this.#linkedPairs = linkedPairs;
   }
@@ -135,6 +140,10 @@ export class ContactBuffer implements Contacts, ContactArrays {
     this.tangentImpulse.fill(0, this.count, count);
     this.source.fill(this.currentSource, this.count, count);
     this.count = count;
+  }
+
+  addSensor(a: number, b: number, normalX: number, normalY: number): void {
+    this.sensors.add(a, b, normalX, normalY, this.currentSource);
   }
 
   areLinked(a: number, b: number): boolean {

@@ -80,10 +80,8 @@ export class ContactSources {
       contacts.currentSource = source++;
       if (!without || links[l].solver === undefined) links[l].addContacts(store, contacts, dt);
     }
-    for (let s = 0; s < shapes.length; s++) {
-      contacts.currentSource = source++;
-      this.#shapeContacts.find(shapes[s], store, contacts);
-    }
+    this.#shapeContacts.find(shapes, source, store, contacts, dt);
+    source += shapes.length;
     for (let g = 0; g < generators.length; g++) {
       contacts.currentSource = source++;
       generators[g].addContacts(store, contacts, dt);

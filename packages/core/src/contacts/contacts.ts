@@ -31,6 +31,14 @@ export interface Contacts {
     friction?: number,
     surfaceSpeed?: number,
   ): void;
+  /**
+   * Tells of two that touch and do not push each other, because one of them is a sensor: for `contactBegin` and `contactEnd` alone.
+   * @param a - Slot of the first particle.
+   * @param b - Slot of the second, or -1 for immovable scenery.
+   * @param normalX - Unit normal, towards the first.
+   * @param normalY - Unit normal, towards the first.
+   */
+  addSensor(a: number, b: number, normalX: number, normalY: number): void;
   /** Whether a link joins two particles, by slot: such pairs are held by the link and do not collide. */
   areLinked(a: number, b: number): boolean;
 }

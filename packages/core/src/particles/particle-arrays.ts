@@ -42,6 +42,11 @@ export interface ParticleArrays {
   readonly lifetime: Float64Array;
   /** A number of the game's own, 0 to 65535: styles choose by it, the physics never reads it. */
   readonly group: Uint16Array;
+  /** What the particle is, and what it touches: bits. Two touch if each has a bit of the other's category in its mask. */
+  readonly category: Uint16Array;
+  readonly mask: Uint16Array;
+  /** 1 where the particle is a sensor: it is told of what it touches, and neither pushes it nor is pushed. */
+  readonly sensor: Uint8Array;
   /** 1 where the particle sleeps: it rests, and is left out of the step until something wakes it. Written by the world alone. */
   readonly asleep: Uint8Array;
 }

@@ -1,5 +1,6 @@
 import {
   requireFinite,
+  requireFlag,
   requireInteger,
   requireMass,
   requireNonNegative,
@@ -37,6 +38,12 @@ export interface ParticleOptions {
   lifetime?: number;
   /** A number of the game's own, 0 to 65535, for styles. @default 0 */
   group?: number;
+  /** What it is: bits, 0 to 0xffff. Two touch if each has a bit of the other's category in its mask. @default 1 */
+  category?: number;
+  /** What it touches: bits, 0 to 0xffff. @default 0xffff */
+  mask?: number;
+  /** Whether it only tells what touches it, by `contactBegin` and `contactEnd`, and neither pushes nor is pushed. @default false */
+  sensor?: boolean;
 }
 
 /** Throws the error that says what is wrong with the options, if anything is. */
@@ -54,6 +61,9 @@ export function checkParticleOptions(where: string, options: ParticleOptions): v
     friction = 0,
     lifetime = Infinity,
     group = 0,
+    category = 1,
+    mask = 0xffff,
+    sensor = false,
   } = options;
   requireFinite(where, 'x', options.x, 'metres');
   requireFinite(where, 'y', options.y, 'metres');
@@ -68,6 +78,9 @@ export function checkParticleOptions(where: string, options: ParticleOptions): v
   requireNonNegative(where, 'friction', friction, '');
   requirePositiveOrInfinite(where, 'lifetime', lifetime, 'seconds', 'Leave it out for a particle that stays.');
   requireInteger(where, 'group', group, 0, 65535);
+  requireInteger(where, 'category', category, 0, 0xffff);
+  requireInteger(where, 'mask', mask, 0, 0xffff);
+  requireFlag(where, 'sensor', sensor);
 }
 
 /** Writes checked options to a slot that holds defaults. */
@@ -84,6 +97,9 @@ export function writeParticle(store: ParticleStore, slot: number, options: Parti
     friction = 0,
     lifetime = Infinity,
     group = 0,
+    category = 1,
+    mask = 0xffff,
+    sensor = false,
   } = options;
   store.vx[slot] = vx;
   store.vy[slot] = vy;
@@ -96,5 +112,8 @@ export function writeParticle(store: ParticleStore, slot: number, options: Parti
   store.restitution[slot] = restitution;
   store.friction[slot] = friction;
   store.group[slot] = group;
+  store.category[slot] = category;
+  store.mask[slot] = mask;
+  store.sensor[slot] = sensor ? 1 : 0;
   store.setLifetime(slot, lifetime);
 }

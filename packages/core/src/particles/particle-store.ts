@@ -43,6 +43,9 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
   friction: Float64Array = numbers();
   lifetime: Float64Array = numbers();
   group: Uint16Array = new Uint16Array(FIRST_CAPACITY);
+  category: Uint16Array = new Uint16Array(FIRST_CAPACITY);
+  mask: Uint16Array = new Uint16Array(FIRST_CAPACITY);
+  sensor: Uint8Array = new Uint8Array(FIRST_CAPACITY);
   asleep: Uint8Array = new Uint8Array(FIRST_CAPACITY);
 
   readonly dampingPowers: DampingPowers = new DampingPowers();
@@ -93,6 +96,9 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
     this.friction[slot] = 0;
     this.lifetime[slot] = Infinity;
     this.group[slot] = 0;
+    this.category[slot] = 1;
+    this.mask[slot] = 0xffff;
+    this.sensor[slot] = 0;
     this.asleep[slot] = 0;
     return slot;
   }

@@ -1,5 +1,6 @@
 import {
   requireFinite,
+  requireFlag,
   requireInteger,
   requireMass,
   requireNonNegative,
@@ -154,6 +155,33 @@ export class Particle {
   set group(value: number) {
     requireInteger('Particle.group', 'group', value, 0, 65535);
     this.#of('group').group[this.slot] = value;
+  }
+
+  /** What it is: bits, 0 to 0xffff. Two touch if each has a bit of the other's category in its mask. */
+  get category(): number {
+    return this.#of('category').category[this.slot];
+  }
+  set category(value: number) {
+    requireInteger('Particle.category', 'category', value, 0, 0xffff);
+    this.#of('category').category[this.slot] = value;
+  }
+
+  /** What it touches: bits, 0 to 0xffff. */
+  get mask(): number {
+    return this.#of('mask').mask[this.slot];
+  }
+  set mask(value: number) {
+    requireInteger('Particle.mask', 'mask', value, 0, 0xffff);
+    this.#of('mask').mask[this.slot] = value;
+  }
+
+  /** Whether it only tells what touches it, and neither pushes nor is pushed. */
+  get sensor(): boolean {
+    return this.#of('sensor').sensor[this.slot] === 1;
+  }
+  set sensor(value: boolean) {
+    requireFlag('Particle.sensor', 'sensor', value);
+    this.#of('sensor').sensor[this.slot] = value ? 1 : 0;
   }
 
   /** Adds a force to the accumulator: it acts during the next step alone. Unit: N. */

@@ -5,7 +5,7 @@ import type { Particle } from '../particles/particle.ts';
 import type { World } from '../world/world.ts';
 import { discAlongRay } from './disc-along-ray.ts';
 import type { Ray } from './ray.ts';
-import { ShapeAlongRay } from './shape-along-ray.ts';
+import { shapeAlongRay } from './shape-along-ray.ts';
 
 /** A ray that ends, and what it may hit. */
 export interface RayOptions {
@@ -35,8 +35,8 @@ export interface RayHit {
  * All that a ray meets, each particle and shape once, where it enters: the nearest first, of equally near ones particles by
  * slot before shapes in their order. What the ray starts in is not met. Points, radius 0, are never met.
  *
- * A disc is met exactly; a shape, a game's own included, is found by steps as long as its surface is far (J. C. Hart, *Sphere
- * Tracing*, 1996), to 10⁻⁹ m.
+ * A disc is met exactly, and so is a shape that has a `sweep`, as all of ours do; another is found by steps as long as its surface is
+ * far (J. C. Hart, *Sphere Tracing*, 1996), to 10⁻⁹ m.
  */
 export function castRay(world: World, options: RayOptions): RayHit[] {
   const hits: RayHit[] = [];
@@ -56,7 +56,7 @@ export function castRay(world: World, options: RayOptions): RayHit[] {
   }
   for (const target of shapes) {
     if (!filter(target)) continue;
-    const met = new ShapeAlongRay(ray).meet(target);
+    const met = shapeAlongRay(ray, target);
     if (met !== undefined) hits.push({ target, ...met });
   }
   return hits.sort((a, b) => a.fraction - b.fraction);

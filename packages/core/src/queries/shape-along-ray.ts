@@ -1,88 +1,34 @@
-import type { Shape, SurfaceReport } from '../collision/shape.ts';
+import type { Shape } from '../collision/shape.ts';
+import { SurfaceWalk } from '../collision/surface-walk.ts';
+import { Sweep } from '../collision/sweep.ts';
 import type { Ray } from './ray.ts';
 
-/** Nearer than this the surface is met. Unit: m. */
+/** Deeper than this a ray starts inside. Unit: m. */
 const TOLERANCE = 1e-9;
 
-/** Least step, as a share of the ray: one that grazes a surface would come near in ever shorter ones. What is thinner may be missed. */
+/** Least step, as a share of the ray, towards a shape without `sweep`. What is thinner may be missed. */
 const LEAST_STEP = 1e-5;
 
-/** Most of Newton's steps to a surface within the least step; one is enough where it is straight. */
-const NEWTON_STEPS = 16;
+/** Where a ray enters a shape; undefined where it does not, or starts inside. */
+export function shapeAlongRay(
+  { x, y, dx, dy, length }: Ray,
+  shape: Shape,
+): { x: number; y: number; normalX: number; normalY: number; fraction: number } | undefined {
+  if (startsInside(x, y, shape)) return undefined;
+  const sweep = new Sweep();
+  sweep.begin(x, y, dx, dy, 0);
+  if (shape.sweep) shape.sweep(sweep);
+  else new SurfaceWalk().meet(shape, sweep, Math.max(TOLERANCE, LEAST_STEP * length));
+  const { time, normalX, normalY } = sweep;
+  return time <= 1 ? { x: x + dx * time, y: y + dy * time, normalX, normalY, fraction: time } : undefined;
+}
 
-/** Walks along a ray towards the surface of a shape, each time as far as the surface is away. */
-export class ShapeAlongRay implements SurfaceReport {
-  readonly #ray: Ray;
-  #distance = Infinity;
-  #normalX = 0;
-  #normalY = 0;
-
-  constructor(ray: Ray) {
-    this.#ray = ray;
-  }
-
-  /** Where the ray enters the shape; undefined where it does not, or starts inside. */
-  meet(shape: Shape): { x: number; y: number; normalX: number; normalY: number; fraction: number } | undefined {
-    const ray = this.#ray;
-    const ux = ray.dx / ray.length;
-    const uy = ray.dy / ray.length;
-    const least = Math.max(TOLERANCE, LEAST_STEP * ray.length);
-    const at = (along: number) => {
-      const x = ray.x + ux * along;
-      const y = ray.y + uy * along;
-      this.#look(shape, x, y, ray.length - along + TOLERANCE);
-      return { x, y, normalX: this.#normalX, normalY: this.#normalY, fraction: along / ray.length };
-    };
-    const start = this.#entry(shape);
-    for (let along = start, before = start; along <= ray.length; ) {
-      let met = at(along);
-      if (this.#distance < -TOLERANCE && along === start) return undefined;
-      const step = Math.max(this.#distance, least);
-      let towards = along;
-      for (let newton = 0; newton < NEWTON_STEPS; newton++) {
-        const closing = -(this.#normalX * ux + this.#normalY * uy);
-        if (!(closing > 0)) break;
-        if (Math.abs(this.#distance) <= TOLERANCE) return met;
-        towards += this.#distance / closing;
-        if (!(towards >= before && towards <= Math.min(along + step, ray.length))) break;
-        met = at(towards);
-      }
-      before = along;
-      along += step;
-    }
-    return undefined;
-  }
-
-  add(distance: number, normalX: number, normalY: number): void {
-    if (distance >= this.#distance) return;
-    this.#distance = distance;
-    this.#normalX = normalX;
-    this.#normalY = normalY;
-  }
-
-  #look(shape: Shape, x: number, y: number, reach: number): void {
-    this.#distance = Infinity;
-    shape.findSurface(x, y, reach, this);
-  }
-
-  /** How far along the ray the box around the shape begins; infinitely far where the ray misses it. */
-  #entry({ minX, minY, maxX, maxY }: Shape): number {
-    const { x, y, dx, dy, length } = this.#ray;
-    let enter = 0;
-    let leave = 1;
-    for (const [from, way, min, max] of [
-      [x, dx, minX, maxX],
-      [y, dy, minY, maxY],
-    ]) {
-      if (way === 0) {
-        if (from < min || from > max) return Infinity;
-        continue;
-      }
-      const a = (min - from) / way;
-      const b = (max - from) / way;
-      enter = Math.max(enter, Math.min(a, b));
-      leave = Math.min(leave, Math.max(a, b));
-    }
-    return enter <= leave ? enter * length : Infinity;
-  }
+function startsInside(x: number, y: number, shape: Shape): boolean {
+  const { minX, minY, maxX, maxY } = shape;
+  let inside = false;
+  const note = (distance: number) => {
+    inside ||= distance < -TOLERANCE;
+  };
+  if (x >= minX && x <= maxX && y >= minY && y <= maxY) shape.findSurface(x, y, 0, { add: note });
+  return inside;
 }

@@ -1,4 +1,5 @@
-import type { Shape, SurfaceReport } from '../../collision/shape.ts';
+import type { Shape } from '../../collision/shape.ts';
+import type { SurfaceReport } from '../../collision/surface-report.ts';
 
 /** Two normals closer than this, by their product, are of one place. */
 export const SAME_PLACE = 0.9;

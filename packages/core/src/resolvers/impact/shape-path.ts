@@ -1,4 +1,5 @@
-import type { Shape, SurfaceReport } from '../../collision/shape.ts';
+import type { Shape } from '../../collision/shape.ts';
+import type { SurfaceReport } from '../../collision/surface-report.ts';
 import { firstTouch } from './first-touch.ts';
 import type { Flight } from './flight.ts';
 import type { GapPath } from './gap-path.ts';
