@@ -1,4 +1,4 @@
-import { describe } from '../math/checks.ts';
+import { describe, wrong } from '../math/checks.ts';
 import type { Body } from './body.ts';
 import type { BodySite } from './body-parts.ts';
 import type { BodyPlan } from './body-plan.ts';
@@ -29,9 +29,7 @@ export class Bodies {
   /** Builds a body, or throws the error that says why it cannot be built. */
   add(where: string, plan: BodyPlan): Body {
     if (typeof plan?.build !== 'function') {
-      throw new TypeError(
-        `${where}: a body must be what a builder such as box or aggregate returns; got ${describe(plan)}.`,
-      );
+      throw wrong(where, 'a body must be what a builder such as box or aggregate returns', plan);
     }
     const body = plan.build(where, this.#site);
     this.#list.push(body);

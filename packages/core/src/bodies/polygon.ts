@@ -1,4 +1,4 @@
-import { describe, requireInteger, requireOptions, requirePositive, requireVector } from '../math/checks.ts';
+import { requireInteger, requireOptions, requirePositive, requireVector, wrong } from '../math/checks.ts';
 import { cos, sin } from '../math/trigonometry.ts';
 import type { Vec2 } from '../math/vec2.ts';
 import type { BodyOptions } from './body-options.ts';
@@ -56,7 +56,7 @@ export function polygon(options: PolygonBodyOptions): BodyPlan {
   requireOptions(where, 'options', options, '{ points: [{ x: 0, y: 0 }, { x: 1, y: 0 }, { x: 0, y: 1 }] }');
   const { points, ...others } = options;
   if (!Array.isArray(points)) {
-    throw new TypeError(`${where}: points must be a list of { x, y }, in metres; got ${describe(points)}.`);
+    throw wrong(where, 'points must be a list of { x, y }, in metres', points);
   }
   requireInteger(where, 'the number of points', points.length, 3, MOST_CORNERS);
   for (const [index, point] of points.entries()) requireVector(where, `points[${index}]`, point, 'metres');

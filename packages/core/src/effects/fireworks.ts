@@ -9,6 +9,7 @@ import {
   requirePositive,
   requireShare,
   requireVector,
+  wrong,
 } from '../math/checks.ts';
 import { Random } from '../math/random.ts';
 import type { Vec2 } from '../math/vec2.ts';
@@ -181,7 +182,7 @@ export class Fireworks implements Effect {
 
 function checkedRules(rules: readonly FireworkRule[]): ReadonlyMap<number, Required<FireworkRule>> {
   if (!Array.isArray(rules) || rules.length === 0) {
-    throw new TypeError(`Fireworks: rules must be a list of at least one rule; got ${describe(rules)}.`);
+    throw wrong('Fireworks', 'rules must be a list of at least one rule', rules);
   }
   const byType = new Map<number, Required<FireworkRule>>();
   for (const rule of rules) {
@@ -219,9 +220,7 @@ function checkedRule(rule: FireworkRule): Required<FireworkRule> {
   requireMass(where, mass);
   requireNonNegative(where, 'radius', radius, 'metres');
   if (!Array.isArray(payloads)) {
-    throw new TypeError(
-      `${where}: payloads must be a list such as [{ type: 2, count: 20 }]; got ${describe(payloads)}.`,
-    );
+    throw wrong(where, 'payloads must be a list such as [{ type: 2, count: 20 }]', payloads);
   }
   for (const payload of payloads) {
     requireOptions(where, 'a payload', payload, '{ type: 2, count: 20 }');

@@ -1,10 +1,10 @@
 import {
-  describe,
   requireFinite,
   requireNonNegative,
   requireOptions,
   requirePositive,
   requireVector,
+  wrong,
 } from '../math/checks.ts';
 import type { Vec2 } from '../math/vec2.ts';
 import { Particle } from '../particles/particle.ts';
@@ -123,9 +123,7 @@ export class Attraction implements ForceGenerator {
 
 function checkedAttractors(to: Iterable<Readonly<Attractor>>): readonly Readonly<Attractor>[] {
   if (typeof to?.[Symbol.iterator] !== 'function') {
-    throw new TypeError(
-      `Attraction: to must be a list of fixed points { x, y, mass }; got ${describe(to)}. Put it in [ ].`,
-    );
+    throw wrong('Attraction', 'to must be a list of fixed points { x, y, mass }', to, 'Put it in [ ].');
   }
   return Object.freeze(
     Array.from(to, (point) => {

@@ -1,5 +1,6 @@
-import { describe, requireOptions, requirePositive } from '../math/checks.ts';
-import { Particle } from '../particles/particle.ts';
+import { requireOptions, requirePositive } from '../math/checks.ts';
+import { requireParticle } from '../particles/membership.ts';
+import type { Particle } from '../particles/particle.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 
 /** What of a particle displaces liquid. */
@@ -25,9 +26,7 @@ export class HullTable {
 
   /** Gives a particle a hull of its own. */
   set(where: string, particle: Particle, hull: Readonly<Hull>): void {
-    if (!(particle instanceof Particle)) {
-      throw new TypeError(`${where}: a particle must be what World.addParticle returned; got ${describe(particle)}.`);
-    }
+    requireParticle(where, particle);
     if (!particle.alive) throw new Error(`${where}: the particle must be in its world; it was removed.`);
     requireOptions(where, 'hull', hull, '{ volume: 0.001, maxDepth: 0.05 }');
     requirePositive(where, 'volume', hull.volume, 'cubic metres');

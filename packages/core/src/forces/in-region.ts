@@ -1,4 +1,4 @@
-import { describe } from '../math/checks.ts';
+import { wrong } from '../math/checks.ts';
 import type { Particle } from '../particles/particle.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import type { ForceGenerator } from './force-generator.ts';
@@ -44,9 +44,7 @@ export function inRegion(
   requireGenerator('inRegion', generator);
   if (typeof region === 'function') return new InRegion(generator, fromPredicate(region));
   if (typeof region?.pick !== 'function') {
-    throw new TypeError(
-      `inRegion: region must be such as insideBox makes, or a function of particles and a slot; got ${describe(region)}.`,
-    );
+    throw wrong('inRegion', 'region must be such as insideBox makes, or a function of particles and a slot', region);
   }
   return new InRegion(generator, region);
 }

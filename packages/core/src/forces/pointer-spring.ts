@@ -1,12 +1,12 @@
 import {
-  describe,
   requireFinite,
   requireNonNegative,
   requireOptions,
   requirePositive,
   requirePositiveOrInfinite,
 } from '../math/checks.ts';
-import { Particle } from '../particles/particle.ts';
+import { requireParticle } from '../particles/membership.ts';
+import type { Particle } from '../particles/particle.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import type { ForceGenerator } from './force-generator.ts';
 import type { ForceTargets } from './force-targets.ts';
@@ -89,11 +89,7 @@ export class PointerSpring implements ForceGenerator {
 
   /** Takes hold of a particle where it is, and lets go of the one held before. */
   grab(particle: Particle): void {
-    if (!(particle instanceof Particle)) {
-      throw new TypeError(
-        `PointerSpring.grab: a particle must be what World.addParticle returned; got ${describe(particle)}.`,
-      );
-    }
+    requireParticle('PointerSpring.grab', particle);
     this.#x = particle.x;
     this.#y = particle.y;
     this.#fx = this.#fy = 0;

@@ -3,19 +3,19 @@
  * The comparisons are written so that NaN fails them. A bad number is a RangeError, what is no number a TypeError.
  */
 
-function wording(where: string, must: string, value: unknown, mend: string): string {
-  return `${where}: ${must}; got ${describe(value)}. ${mend}`.trimEnd();
-}
-
-/** The error of a wrong thing, to be thrown. */
-export function wrongThing(where: string, must: string, value: unknown, mend = ''): TypeError {
-  return new TypeError(wording(where, must, value, mend));
+/** The error of something wrong, to be thrown: of a thing, or of a number where `Kind` is RangeError. */
+export function wrong(
+  where: string,
+  must: string,
+  value: unknown,
+  mend = '',
+  Kind: ErrorConstructor = TypeError,
+): Error {
+  return new Kind(`${where}: ${must}; got ${describe(value)}. ${mend}`.trimEnd());
 }
 
 function fail(where: string, must: string, value: unknown, mend: string): never {
-  throw typeof value === 'number'
-    ? new RangeError(wording(where, must, value, mend))
-    : wrongThing(where, must, value, mend);
+  throw wrong(where, must, value, mend, typeof value === 'number' ? RangeError : TypeError);
 }
 
 /** A value as an error message shows it: short, and a string told from a number. */
@@ -30,13 +30,13 @@ export function describe(value: unknown): string {
 /** An object to take options out of; `example` shows one. */
 export function requireOptions(where: string, name: string, value: object, example: string): void {
   if (typeof value !== 'object' || value === null) {
-    throw wrongThing(where, `${name} must be an object such as ${example}`, value);
+    throw wrong(where, `${name} must be an object such as ${example}`, value);
   }
 }
 
 /** A function; `what` says of what. */
 export function requireFunction(where: string, name: string, value: unknown, what: string): void {
-  if (typeof value !== 'function') throw wrongThing(where, `${name} must be a function ${what}`, value);
+  if (typeof value !== 'function') throw wrong(where, `${name} must be a function ${what}`, value);
 }
 
 function of(unit: string): string {
@@ -100,7 +100,7 @@ export function requireFlag(where: string, name: string, value: boolean): void {
 /** Two finite coordinates or components, `{ x, y }`. */
 export function requireVector(where: string, name: string, value: { x: number; y: number }, unit: string): void {
   if (typeof value !== 'object' || value === null) {
-    throw wrongThing(where, `${name} must be { x, y }, in ${unit}`, value);
+    throw wrong(where, `${name} must be { x, y }, in ${unit}`, value);
   }
   requireFinite(where, `${name}.x`, value.x, unit);
   requireFinite(where, `${name}.y`, value.y, unit);

@@ -1,4 +1,4 @@
-import { describe } from './checks.ts';
+import { describe, wrong } from './checks.ts';
 
 /** A list of things that were added, each once, in order; what is added must have a certain method. */
 export class Members<T extends object> {
@@ -21,7 +21,7 @@ export class Members<T extends object> {
   check(where: string, member: T): void {
     const name = this.#method.slice(0, this.#method.indexOf('('));
     if (typeof member !== 'object' || member === null || !(name in member)) {
-      throw new TypeError(`${where}: ${this.#what} must have a method ${this.#method}; got ${describe(member)}.`);
+      throw wrong(where, `${this.#what} must have a method ${this.#method}`, member);
     }
     if (this.#members.has(member)) {
       throw new Error(`${where}: ${this.#what} can be added once; ${describe(member)} is in the world already.`);

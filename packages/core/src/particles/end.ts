@@ -1,4 +1,4 @@
-import { describe, requireVector } from '../math/checks.ts';
+import { requireVector, wrong } from '../math/checks.ts';
 import type { Vec2 } from '../math/vec2.ts';
 import { Particle } from './particle.ts';
 
@@ -14,7 +14,7 @@ export function checkedEnd(where: string, name: string, end: End): End {
     return end;
   }
   if (typeof end !== 'object' || end === null) {
-    throw new TypeError(`${where}: ${name} must be a particle or a fixed point { x, y }; got ${describe(end)}.`);
+    throw wrong(where, `${name} must be a particle or a fixed point { x, y }`, end);
   }
   requireVector(where, name, end, 'metres');
   return Object.freeze({ x: end.x, y: end.y });

@@ -1,6 +1,6 @@
 import type { ContactSource } from '../contacts/contact-sources.ts';
 import type { Link } from '../links/link.ts';
-import { describe } from '../math/checks.ts';
+import { describe, requireFunction } from '../math/checks.ts';
 import type { Particle } from '../particles/particle.ts';
 
 /** Two particles, or a particle and scenery, that touch. */
@@ -48,9 +48,7 @@ export class EventQueue {
       const known = Object.keys(this.#listeners).join(', ');
       throw new RangeError(`World.on: the event must be one of ${known}; got ${describe(name)}.`);
     }
-    if (typeof listener !== 'function') {
-      throw new TypeError(`World.on: the listener must be a function; got ${describe(listener)}.`);
-    }
+    requireFunction('World.on', 'the listener', listener, 'of one event');
     listeners.push(listener);
     return () => {
       const index = listeners.indexOf(listener);
