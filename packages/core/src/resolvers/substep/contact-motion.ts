@@ -1,5 +1,6 @@
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 import type { ContactRows } from './contact-rows.ts';
+import type { EdgeRows } from './edge-rows.ts';
 
 /**
  * What the contacts change of each particle's velocity in a small step. As the normals stay as they are, the next small step begins with
@@ -13,7 +14,8 @@ export class ContactMotion {
   #beforeY = new Float64Array(0);
 
   /** Begins with what the rows hold. Reads the rows, inverseMass. */
-  begin(rows: ContactRows, { count, inverseMass }: ParticleArrays): void {
+  begin(rows: ContactRows, edges: EdgeRows, particles: ParticleArrays): void {
+    const { count, inverseMass } = particles;
     if (this.#vx.length <= count) this.#reserve(count * 2 + 1);
     const vx = this.#vx;
     const vy = this.#vy;
@@ -30,6 +32,7 @@ export class ContactMotion {
       vx[j] -= px * inverseMass[j];
       vy[j] -= py * inverseMass[j];
     }
+    edges.addTo(vx, vy, particles);
   }
 
   /** v += the change that the contacts made last. Writes vx, vy. */

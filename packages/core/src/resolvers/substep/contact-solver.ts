@@ -2,6 +2,8 @@ import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 import type { Simulation } from '../../world/simulation.ts';
 import { ContactMotion } from './contact-motion.ts';
 import { ContactRows } from './contact-rows.ts';
+import { giveBackEdges, solveEdges } from './edge-contacts.ts';
+import { EdgeRows } from './edge-rows.ts';
 import { ImpulseMemory } from './impulse-memory.ts';
 import { RIGID, softness } from './softness.ts';
 import { giveBack, solveContacts, sumImpulses } from './solve-contacts.ts';
@@ -16,6 +18,7 @@ const DAMPING_RATIO = 10;
 /** The contacts of a step, from their discovery to their impulses. */
 export class ContactSolver {
   readonly #rows = new ContactRows();
+  readonly #edges = new EdgeRows();
   readonly #memory = new ImpulseMemory();
   readonly #motion = new ContactMotion();
   #h = 0;
@@ -39,7 +42,8 @@ export class ContactSolver {
     sources.gather(contacts, dt, true);
     this.#memory.recall(contacts, sources.links.length, h);
     this.#rows.build(contacts, particles);
-    this.#motion.begin(this.#rows, particles);
+    this.#edges.build(contacts, particles);
+    this.#motion.begin(this.#rows, this.#edges, particles);
     if (h === this.#h) return;
     this.#h = h;
     this.#soft = softness(HERTZ, DAMPING_RATIO, h);
@@ -48,30 +52,37 @@ export class ContactSolver {
 
   /** Begins a small step with what the contacts did in the last one. Writes vx, vy. */
   repeat(particles: ParticleArrays): void {
-    if (this.#rows.count > 0) this.#motion.repeat(particles);
+    if (this.#rows.count + this.#edges.count > 0) this.#motion.repeat(particles);
   }
 
   /** One pass over the contacts. Reads x, y. Writes vx, vy. */
   solve(particles: ParticleArrays): void {
     const rows = this.#rows;
-    if (rows.count === 0) return;
+    const edges = this.#edges;
+    if (rows.count + edges.count === 0) return;
     this.#motion.note(particles);
     solveContacts(rows, 0, rows.pairCount, particles, this.#soft, this.#h, this.#calm);
+    solveEdges(edges, particles, this.#soft, this.#h, this.#calm);
     solveContacts(rows, rows.pairCount, rows.count, particles, this.#scenerySoft, this.#h, this.#calm);
     this.#motion.learn(particles);
     sumImpulses(rows);
+    sumImpulses(edges);
   }
 
   /** Takes out the speed by which penetrations were undone, then gives back what hits give back. Reads x, y. Writes vx, vy. */
   relax(particles: ParticleArrays): void {
     const rows = this.#rows;
-    solveContacts(rows, 0, rows.count, particles, RIGID, this.#h, this.#calm);
+    solveContacts(rows, 0, rows.pairCount, particles, RIGID, this.#h, this.#calm);
+    solveEdges(this.#edges, particles, RIGID, this.#h, this.#calm);
+    solveContacts(rows, rows.pairCount, rows.count, particles, RIGID, this.#h, this.#calm);
     giveBack(rows, particles, this.#resting);
+    giveBackEdges(this.#edges, particles, this.#resting);
   }
 
   /** Keeps the impulses for the next step. Writes the contacts' impulses. */
   keep({ contacts, sources }: Simulation): void {
-    this.#memory.keep(contacts, this.#rows, sources.links.length, this.#h);
+    this.#memory.keep(contacts, this.#rows, this.#edges, sources.links.length, this.#h);
     this.#rows.report(contacts);
+    this.#edges.report(contacts);
   }
 }

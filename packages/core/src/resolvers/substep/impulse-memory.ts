@@ -1,5 +1,5 @@
 import type { ContactBuffer } from '../../contacts/contact-buffer.ts';
-import type { ContactRows } from './contact-rows.ts';
+import type { Impulses } from './solve-contacts.ts';
 
 /**
  * The impulses of the last step, for the next to begin with. A contact is known again by its source, its slots and its edge: both
@@ -41,8 +41,8 @@ export class ImpulseMemory {
     }
   }
 
-  /** Reads the contacts and the rows that were made of them. Writes the memory. */
-  keep(contacts: ContactBuffer, rows: ContactRows, linkCount: number, h: number): void {
+  /** Reads the contacts and the rows of two kinds that were made of them. Writes the memory. */
+  keep(contacts: ContactBuffer, rows: Impulses, edges: Impulses, linkCount: number, h: number): void {
     const { count, a, b, edgeEnd, source } = contacts;
     if (this.#a.length < count) this.#reserve(count * 2);
     this.#count = count;
@@ -56,9 +56,14 @@ export class ImpulseMemory {
     }
     this.#normal.fill(0, 0, count);
     this.#tangent.fill(0, 0, count);
-    for (let r = 0; r < rows.count; r++) {
-      this.#normal[rows.contact[r]] = rows.normal[r];
-      this.#tangent[rows.contact[r]] = rows.tangent[r];
+    this.#note(rows);
+    this.#note(edges);
+  }
+
+  #note({ count, contact, normal, tangent }: Impulses): void {
+    for (let r = 0; r < count; r++) {
+      this.#normal[contact[r]] = normal[r];
+      this.#tangent[contact[r]] = tangent[r];
     }
   }
 

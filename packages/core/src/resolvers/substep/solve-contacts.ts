@@ -3,13 +3,13 @@ import type { ContactRows } from './contact-rows.ts';
 import type { Softness } from './softness.ts';
 
 /** Two things that are in each other part no faster than this. Unit: m/s. */
-const FASTEST_PUSH = 10;
+export const FASTEST_PUSH = 10;
 
 /**
  * A contact that held an impulse already and is almost calm is corrected by this much more than it asks for: piles come to rest in a
  * fraction of the time (successive over-relaxation, D. M. Young, 1950). More makes tall columns swing, and so it does in hits.
  */
-const OVER_RELAXATION = 1.2;
+export const OVER_RELAXATION = 1.2;
 
 /**
  * One pass over rows (projected Gauss-Seidel). An open gap may close within the small step and no more; a penetration is undone
@@ -66,8 +66,11 @@ export function solveContacts(
   }
 }
 
+/** What rows of contacts hold. */
+export type Impulses = Pick<ContactRows, 'count' | 'contact' | 'normal' | 'tangent' | 'normalSum' | 'tangentSum'>;
+
 /** Adds the impulses of one small step to their sums. */
-export function sumImpulses({ count, normal, tangent, normalSum, tangentSum }: ContactRows): void {
+export function sumImpulses({ count, normal, tangent, normalSum, tangentSum }: Impulses): void {
   for (let r = 0; r < count; r++) {
     normalSum[r] += normal[r];
     tangentSum[r] += tangent[r];

@@ -1,0 +1,102 @@
+import { type ContactBuffer, NO_EDGE } from '../../contacts/contact-buffer.ts';
+import { growColumns } from '../../math/columns.ts';
+import type { ParticleArrays } from '../../particles/particle-arrays.ts';
+
+/**
+ * The contacts with edges as the solver walks over them: the second of two is a place on an edge, whose position and velocity are
+ * (1 - t) times those of one end and t times those of the other. What it holds is shared between the ends in the same way, so that
+ * momentum and angular momentum are kept. All else is as in `ContactRows`.
+ */
+export class EdgeRows {
+  count = 0;
+  /** Slots of the particle and of the two ends. */
+  a: Int32Array = new Int32Array(16);
+  b: Int32Array = new Int32Array(16);
+  e: Int32Array = new Int32Array(16);
+  /** Where on the edge, 0 at b and 1 at e. */
+  share: Float64Array = new Float64Array(16);
+  normalX: Float64Array = new Float64Array(16);
+  normalY: Float64Array = new Float64Array(16);
+  /** The gap is this plus (x_a - (1 - t)·x_b - t·x_e)·n. Unit: m. */
+  offset: Float64Array = new Float64Array(16);
+  /** One over w_a + (1 - t)²·w_b + t²·w_e. Unit: kg. */
+  mass: Float64Array = new Float64Array(16);
+  friction: Float64Array = new Float64Array(16);
+  restitution: Float64Array = new Float64Array(16);
+  /** Separating velocity at the start of the step. Unit: m/s. */
+  separating: Float64Array = new Float64Array(16);
+  /** Impulses of one small step, along the normal and the tangent (normalY, -normalX). Unit: N·s. */
+  normal: Float64Array = new Float64Array(16);
+  tangent: Float64Array = new Float64Array(16);
+  /** Sums of these over the step. Unit: N·s. */
+  normalSum: Float64Array = new Float64Array(16);
+  tangentSum: Float64Array = new Float64Array(16);
+  /** Index of the contact. */
+  contact: Int32Array = new Int32Array(16);
+
+  /** Reads the contacts and x, y, vx, vy, inverseMass. Writes the rows. */
+  build(contacts: ContactBuffer, { x, y, vx, vy, inverseMass }: ParticleArrays): void {
+    const { count, a, b, normalX, normalY, edgeEnd, edgeShare } = contacts;
+    let r = 0;
+    for (let c = 0; c < count; c++) {
+      const k = edgeEnd[c];
+      if (k === NO_EDGE) continue;
+      if (r === this.a.length) growColumns(this, r * 2);
+      const i = a[c];
+      const j = b[c];
+      const t = edgeShare[c];
+      const w = inverseMass[i] + (1 - t) * (1 - t) * inverseMass[j] + t * t * inverseMass[k];
+      if (w === 0) continue;
+      const nx = normalX[c];
+      const ny = normalY[c];
+      const dx = x[i] - x[j] - t * (x[k] - x[j]);
+      const dy = y[i] - y[j] - t * (y[k] - y[j]);
+      const ux = vx[i] - vx[j] - t * (vx[k] - vx[j]);
+      const uy = vy[i] - vy[j] - t * (vy[k] - vy[j]);
+      this.a[r] = i;
+      this.b[r] = j;
+      this.e[r] = k;
+      this.share[r] = t;
+      this.normalX[r] = nx;
+      this.normalY[r] = ny;
+      this.offset[r] = -contacts.penetration[c] - dx * nx - dy * ny;
+      this.mass[r] = 1 / w;
+      this.friction[r] = contacts.friction[c];
+      this.restitution[r] = contacts.restitution[c];
+      this.separating[r] = ux * nx + uy * ny;
+      this.normal[r] = contacts.impulse[c];
+      this.tangent[r] = contacts.tangentImpulse[c];
+      this.contact[r++] = c;
+    }
+    this.normalSum.fill(0, 0, r);
+    this.tangentSum.fill(0, 0, r);
+    this.count = r;
+  }
+
+  /** Adds what the rows hold to velocities. Reads the impulses, inverseMass. */
+  addTo(vx: Float64Array, vy: Float64Array, { inverseMass }: ParticleArrays): void {
+    const { count, a, b, e, share, normalX, normalY, normal, tangent } = this;
+    for (let r = 0; r < count; r++) {
+      const px = normal[r] * normalX[r] + tangent[r] * normalY[r];
+      const py = normal[r] * normalY[r] - tangent[r] * normalX[r];
+      const wi = inverseMass[a[r]];
+      const wj = inverseMass[b[r]] * (1 - share[r]);
+      const wk = inverseMass[e[r]] * share[r];
+      vx[a[r]] += px * wi;
+      vy[a[r]] += py * wi;
+      vx[b[r]] -= px * wj;
+      vy[b[r]] -= py * wj;
+      vx[e[r]] -= px * wk;
+      vy[e[r]] -= py * wk;
+    }
+  }
+
+  /** Hands the impulses back. Writes impulse and tangentImpulse of the contacts. */
+  report({ impulse, tangentImpulse }: ContactBuffer): void {
+    const { count, contact, normalSum, tangentSum } = this;
+    for (let r = 0; r < count; r++) {
+      impulse[contact[r]] = normalSum[r];
+      tangentImpulse[contact[r]] = tangentSum[r];
+    }
+  }
+}
