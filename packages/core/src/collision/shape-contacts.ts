@@ -58,8 +58,8 @@ export class ShapeContacts implements SurfaceReport {
   ): void {
     const { count, x, y, vx, vy, radius, inverseMass, asleep } = particles;
     const { lookAhead, margin } = contacts;
-    this.#prepare(shapes, count, contacts);
     if (shapes.length === 0) return;
+    this.#prepare(shapes, count, contacts);
     this.#way.begin(shapes, firstSource, particles, contacts);
     const lookX = this.#x;
     const lookY = this.#y;

@@ -13,12 +13,17 @@ export class ShapeIndex {
 
   /** Takes the shapes as they are now. @returns Whether any came or went. */
   update(shapes: readonly Shape[]): boolean {
-    if (shapes.length === this.#shapes.length && this.#shapes.every((shape, s) => shape === shapes[s])) return false;
+    if (!this.#differs(shapes)) return false;
     for (const shape of shapes) checkSurface('Shape', shape);
     this.#shapes = [...shapes];
     this.#order = sorted(shapes);
     this.#tree = new BoxTree(boxesOf(shapes, this.#order));
     return true;
+  }
+
+  #differs(shapes: readonly Shape[]): boolean {
+    for (let s = 0; s < shapes.length; s++) if (shapes[s] !== this.#shapes[s]) return true;
+    return shapes.length !== this.#shapes.length;
   }
 
   /** Finds the shapes whose boxes overlap or touch a square. Unit: m. @returns How many: see `at`. */

@@ -29,7 +29,7 @@ export class Sweep {
   /** Whether it stands on something solid from the front alone. */
   held = false;
   /** Where something is met first, as a share of the way; `Infinity` where nothing is. */
-  time = Infinity;
+  time: number = Infinity;
   /** The unit normal there. */
   normalX = 0;
   normalY = 0;

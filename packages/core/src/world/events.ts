@@ -8,18 +8,18 @@ export interface ContactEvent {
   readonly a: Particle;
   /** The other particle; undefined where it is scenery. */
   readonly b: Particle | undefined;
-  /** What found the contact: the static shape that was touched, or the contact generator. */
+  /** What found the contact: the static shape that was touched, a sensor too, or the contact generator. */
   readonly source: ContactSource;
   /** Unit normal, towards `a`. */
   readonly normalX: number;
   readonly normalY: number;
-  /** How hard they hit in the step in which the contact began. Unit: N·s. */
+  /** How hard they hit in the step in which the contact began; 0 where one is a sensor. Unit: N·s. */
   readonly impulse: number;
 }
 
 /** What a world tells, by name, and what comes with it. */
 export interface WorldEvents {
-  /** Two began to touch. */
+  /** Two began to touch, or a particle came to a sensor. */
   contactBegin: ContactEvent;
   /** Two touch no more, or one of them was removed; the event is the one that began it. */
   contactEnd: ContactEvent;
@@ -39,7 +39,9 @@ export class EventQueue {
     linkBroke: [],
     particleExpired: [],
   };
-  readonly #waiting: (() => void)[] = [];
+  /** Listeners that are to be told, and each one's event. */
+  #waiting: ((event: never) => void)[] = [];
+  #events: unknown[] = [];
 
   /** Adds a listener; the function returned takes it out again. */
   on<Name extends keyof WorldEvents>(name: Name, listener: Listener<Name>): () => void {
@@ -63,12 +65,20 @@ export class EventQueue {
 
   /** Notes what is to be told. Listeners of one event are told in the order in which they came. */
   add<Name extends keyof WorldEvents>(name: Name, event: WorldEvents[Name]): void {
-    for (const listener of this.#listeners[name]) this.#waiting.push(() => listener(event));
+    const listeners = this.#listeners[name];
+    for (let l = 0; l < listeners.length; l++) {
+      this.#waiting.push(listeners[l]);
+      this.#events.push(event);
+    }
   }
 
   /** Tells everything, in the order in which it was noted. What is left when a listener throws is dropped. */
   tell(): void {
     if (this.#waiting.length === 0) return;
-    for (const tellOne of this.#waiting.splice(0)) tellOne();
+    const waiting = this.#waiting;
+    const events = this.#events;
+    this.#waiting = [];
+    this.#events = [];
+    for (let w = 0; w < waiting.length; w++) waiting[w](events[w] as never);
   }
 }
