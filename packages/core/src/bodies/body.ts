@@ -159,6 +159,7 @@ export class Body {
     const slots = this.#slotsOf('applyImpulse');
     requirePush('Body.applyImpulse', 'newton-seconds', { ix, iy }, x, y);
     const { particles } = this.#site;
+    this.wake();
     spread({ x: ix, y: iy, atX: x, atY: y }, particles, slots, [particles.vx, particles.vy], false);
   }
 
@@ -172,7 +173,13 @@ export class Body {
     const slots = this.#slotsOf('applyForce');
     requirePush('Body.applyForce', 'newtons', { fx, fy }, x, y);
     const { particles } = this.#site;
+    this.wake();
     spread({ x: fx, y: fy, atX: x, atY: y }, particles, slots, [particles.fx, particles.fy], true);
+  }
+
+  /** Wakes its particles, and with them all that touches them. */
+  wake(): void {
+    for (const particle of this.#particles) if (particle.alive) particle.wake();
   }
 
   /** Takes its particles, and with them its links, out of the world. */

@@ -22,14 +22,14 @@ export function meanOf(
   previous: Float64Array = values,
   alpha: number = NOW,
 ): number {
-  const { mass, inverseMass } = particles;
+  const { mass } = particles;
   let sum = 0;
   let total = 0;
   let pinnedSum = 0;
   let pinned = 0;
   for (const slot of slots) {
     const value = between(previous, values, slot, alpha);
-    if (inverseMass[slot] === 0) {
+    if (mass[slot] === Infinity) {
       pinnedSum += value;
       pinned++;
     } else {
@@ -56,14 +56,14 @@ export function inertiaOf(particles: ParticleArrays, slots: readonly number[]): 
 
 /** Angular velocity: angular momentum about the centre, Σ r × m·(v - V), over the inertia. Unit: rad/s. */
 export function angularVelocityOf(particles: ParticleArrays, slots: readonly number[]): number {
-  const { x, y, vx, vy, mass, inverseMass } = particles;
+  const { x, y, vx, vy, mass } = particles;
   const cx = meanOf(x, particles, slots);
   const cy = meanOf(y, particles, slots);
   const ux = meanOf(vx, particles, slots);
   const uy = meanOf(vy, particles, slots);
   let momentum = 0;
   for (const slot of slots) {
-    if (inverseMass[slot] === 0) continue;
+    if (mass[slot] === Infinity) continue;
     momentum += mass[slot] * ((x[slot] - cx) * (vy[slot] - uy) - (y[slot] - cy) * (vx[slot] - ux));
   }
   const inertia = inertiaOf(particles, slots);
@@ -71,10 +71,10 @@ export function angularVelocityOf(particles: ParticleArrays, slots: readonly num
 }
 
 /** Kinetic energy of the particles that can move, Σ m·v²/2. Unit: J. */
-export function kineticEnergyOf({ vx, vy, mass, inverseMass }: ParticleArrays, slots: readonly number[]): number {
+export function kineticEnergyOf({ vx, vy, mass }: ParticleArrays, slots: readonly number[]): number {
   let sum = 0;
   for (const slot of slots) {
-    if (inverseMass[slot] !== 0) sum += (mass[slot] * (vx[slot] * vx[slot] + vy[slot] * vy[slot])) / 2;
+    if (mass[slot] !== Infinity) sum += (mass[slot] * (vx[slot] * vx[slot] + vy[slot] * vy[slot])) / 2;
   }
   return sum;
 }
@@ -93,7 +93,7 @@ export interface Push {
  * Adds to each particle what a rigid body's would get of an impulse J at a distance r from the centre:
  * Δv_i = J/M + (r × J/I) × r_i. Momentum changes by J and angular momentum by r × J, whatever the masses: the first sum over
  * m_i is J since Σ m_i·r_i = 0, the second r × J since I = Σ m_i·r_i². A force is the same times m_i.
- * Reads x, y, mass, inverseMass. Adds to the two arrays.
+ * Reads x, y, mass. Adds to the two arrays.
  */
 export function spread(
   push: Push,
@@ -102,7 +102,7 @@ export function spread(
   [toX, toY]: readonly [Float64Array, Float64Array],
   timesMass: boolean,
 ): void {
-  const { x, y, mass, inverseMass } = particles;
+  const { x, y, mass } = particles;
   const total = massOf(particles, slots);
   const inertia = inertiaOf(particles, slots);
   const cx = meanOf(x, particles, slots);
@@ -110,7 +110,7 @@ export function spread(
   const torque = (push.atX - cx) * push.y - (push.atY - cy) * push.x;
   const turn = inertia === 0 ? 0 : torque / inertia;
   for (const slot of slots) {
-    if (inverseMass[slot] === 0) continue;
+    if (mass[slot] === Infinity) continue;
     const factor = timesMass ? mass[slot] : 1;
     toX[slot] += factor * (push.x / total - turn * (y[slot] - cy));
     toY[slot] += factor * (push.y / total + turn * (x[slot] - cx));

@@ -18,6 +18,7 @@ export interface DragOptions {
  * A step shorter than m / k1 slows a particle; in a longer one the force would throw it back: pick the damping then.
  */
 export class Drag implements ForceGenerator {
+  readonly steady = true;
   readonly k1: number;
   readonly k2: number;
 

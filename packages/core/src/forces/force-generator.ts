@@ -8,6 +8,11 @@ import type { ForceTargets } from './force-targets.ts';
  */
 export interface ForceGenerator {
   /**
+   * Whether a particle at rest gets the same force at any time, whatever other particles do, as from gravity or drag: particles on which
+   * any other force acts do not fall asleep. @default false
+   */
+  readonly steady?: boolean;
+  /**
    * Adds the force on each target to `particles.fx` and `particles.fy`, and writes nothing else of the world.
    * @param particles - Position, velocity, mass, ... of every particle.
    * @param targets - The particles it was added for.

@@ -3,6 +3,7 @@ import { requireMembers } from '../particles/membership.ts';
 import type { Particle } from '../particles/particle.ts';
 import type { ParticleStore } from '../particles/particle-store.ts';
 import type { ForceGenerator } from './force-generator.ts';
+import type { ForceTargets } from './force-targets.ts';
 import { requireGenerator } from './require-generator.ts';
 import { TargetList } from './target-list.ts';
 
@@ -29,7 +30,11 @@ export class ForceRegistry {
     let targets = this.#everyone;
     if (particles !== undefined) {
       targets = this.#targets.get(generator) ?? new TargetList(this.#store, new Set());
-      targets.add(requireMembers(where, particles, this.#store));
+      const members = requireMembers(where, particles, this.#store);
+      targets.add(members);
+      for (const particle of members) particle.wake();
+    } else {
+      this.#store.wakeAll();
     }
     this.#targets.set(generator, targets);
     this.#generators = [...this.#targets.keys()];
@@ -52,6 +57,17 @@ export class ForceRegistry {
       );
     }
     targets.delete(requireMembers(where, particles, this.#store));
+  }
+
+  /** What the generators act on that may push a particle at rest at any time. */
+  unsteadyTargets(): readonly ForceTargets[] {
+    const found: ForceTargets[] = [];
+    for (const [generator, targets] of this.#targets) {
+      if (generator.steady) continue;
+      targets.refresh();
+      found.push(targets);
+    }
+    return found;
   }
 
   /** Runs every generator. Reads what they read. Adds to fx, fy. */

@@ -9,6 +9,7 @@ import type { ForceTargets } from './force-targets.ts';
  * An infinite mass feels none.
  */
 export class Gravity implements ForceGenerator {
+  readonly steady = true;
   /** Acceleration, x to the right and y up. Unit: m/s². */
   readonly g: Readonly<Vec2>;
 

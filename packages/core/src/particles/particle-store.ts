@@ -23,6 +23,11 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
   version = 0;
   /** Whether some particle may have a finite lifetime. */
   mortal = false;
+  /** How many particles sleep; and a number that grows with each that falls asleep or wakes. */
+  sleeping = 0;
+  sleepVersion = 0;
+  /** Grows with whatever may wake a particle: a world all of which sleeps need not be stepped until it does. */
+  changes = 0;
   /** While a step runs no particle may come or go. */
   locked = false;
 
@@ -82,6 +87,7 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
     const slot = this.#freeCount > 0 ? this.#own.free[--this.#freeCount] : this.count++;
     if (this.count === this.capacity) this.reserve(this.capacity * 2);
     this.living++;
+    this.changes++;
     this.version++;
     this.alive[slot] = 1;
     this.x[slot] = this.previousX[slot] = x;
@@ -106,6 +112,7 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
   /** Frees a slot that is alive. What stays in it cannot move and is finite. */
   remove(slot: number): void {
     this.#requireUnlocked('removed');
+    this.wake(slot);
     this.living--;
     this.removals++;
     this.version++;
@@ -123,6 +130,30 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
     this.asleep[slot] = 0;
     this.#own.free[this.#freeCount++] = slot;
     if (this.living === 0) this.count = this.#freeCount = 0;
+  }
+
+  /** Puts a particle to sleep: it keeps its place as if its mass were infinite. */
+  sleep(slot: number): void {
+    this.asleep[slot] = 1;
+    this.inverseMass[slot] = 0;
+    this.vx[slot] = this.vy[slot] = 0;
+    this.sleeping++;
+    this.sleepVersion++;
+  }
+
+  wake(slot: number): void {
+    this.changes++;
+    if (this.asleep[slot] === 0) return;
+    this.asleep[slot] = 0;
+    this.inverseMass[slot] = 1 / this.mass[slot];
+    this.sleeping--;
+    this.sleepVersion++;
+  }
+
+  /** Wakes every particle. */
+  wakeAll(): void {
+    this.changes++;
+    for (let slot = 0; slot < this.count && this.sleeping > 0; slot++) this.wake(slot);
   }
 
   setLifetime(slot: number, seconds: number): void {

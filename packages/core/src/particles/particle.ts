@@ -39,7 +39,7 @@ export class Particle {
   }
   set x(value: number) {
     requireFinite('Particle.x', 'x', value, 'metres');
-    this.#of('x').x[this.slot] = value;
+    this.#change('x').x[this.slot] = value;
   }
 
   /** Vertical position, up. Unit: m. */
@@ -48,7 +48,7 @@ export class Particle {
   }
   set y(value: number) {
     requireFinite('Particle.y', 'y', value, 'metres');
-    this.#of('y').y[this.slot] = value;
+    this.#change('y').y[this.slot] = value;
   }
 
   /** Horizontal velocity. Unit: m/s. */
@@ -57,7 +57,7 @@ export class Particle {
   }
   set vx(value: number) {
     requireFinite('Particle.vx', 'vx', value, 'metres per second');
-    this.#of('vx').vx[this.slot] = value;
+    this.#change('vx').vx[this.slot] = value;
   }
 
   /** Vertical velocity. Unit: m/s. */
@@ -66,7 +66,7 @@ export class Particle {
   }
   set vy(value: number) {
     requireFinite('Particle.vy', 'vy', value, 'metres per second');
-    this.#of('vy').vy[this.slot] = value;
+    this.#change('vy').vy[this.slot] = value;
   }
 
   /** Constant horizontal acceleration, on top of the world's gravity. Unit: m/s². */
@@ -75,7 +75,7 @@ export class Particle {
   }
   set ax(value: number) {
     requireFinite('Particle.ax', 'ax', value, 'metres per second squared');
-    this.#of('ax').ax[this.slot] = value;
+    this.#change('ax').ax[this.slot] = value;
   }
 
   /** Constant vertical acceleration, on top of the world's gravity. Unit: m/s². */
@@ -84,7 +84,7 @@ export class Particle {
   }
   set ay(value: number) {
     requireFinite('Particle.ay', 'ay', value, 'metres per second squared');
-    this.#of('ay').ay[this.slot] = value;
+    this.#change('ay').ay[this.slot] = value;
   }
 
   /** Mass, positive; `Infinity` pins the particle: forces and impulses do not move it. Unit: kg. */
@@ -93,7 +93,7 @@ export class Particle {
   }
   set mass(value: number) {
     requireMass('Particle.mass', value);
-    const slots = this.#of('mass');
+    const slots = this.#change('mass');
     slots.mass[this.slot] = value;
     slots.inverseMass[this.slot] = 1 / value;
   }
@@ -109,7 +109,7 @@ export class Particle {
   }
   set damping(value: number) {
     requireShare('Particle.damping', 'damping', value, '1 keeps all of the velocity.');
-    this.#of('damping').damping[this.slot] = value;
+    this.#change('damping').damping[this.slot] = value;
   }
 
   /** Radius of the disc; 0 is a point. Unit: m. */
@@ -118,7 +118,7 @@ export class Particle {
   }
   set radius(value: number) {
     requireNonNegative('Particle.radius', 'radius', value, 'metres');
-    this.#of('radius').radius[this.slot] = value;
+    this.#change('radius').radius[this.slot] = value;
   }
 
   /** Share of the closing speed that a hit gives back, 0 to 1; of two that hit the greater counts. */
@@ -127,7 +127,7 @@ export class Particle {
   }
   set restitution(value: number) {
     requireShare('Particle.restitution', 'restitution', value);
-    this.#of('restitution').restitution[this.slot] = value;
+    this.#change('restitution').restitution[this.slot] = value;
   }
 
   /** Coefficient of friction, static and kinetic, 0 or more; of two that touch the geometric mean counts. */
@@ -136,7 +136,7 @@ export class Particle {
   }
   set friction(value: number) {
     requireNonNegative('Particle.friction', 'friction', value, '');
-    this.#of('friction').friction[this.slot] = value;
+    this.#change('friction').friction[this.slot] = value;
   }
 
   /** Time left until the world removes the particle; `Infinity` for ever. Unit: s. */
@@ -154,7 +154,7 @@ export class Particle {
   }
   set group(value: number) {
     requireInteger('Particle.group', 'group', value, 0, 65535);
-    this.#of('group').group[this.slot] = value;
+    this.#change('group').group[this.slot] = value;
   }
 
   /** What it is: bits, 0 to 0xffff. Two touch if each has a bit of the other's category in its mask. */
@@ -163,7 +163,7 @@ export class Particle {
   }
   set category(value: number) {
     requireInteger('Particle.category', 'category', value, 0, 0xffff);
-    this.#of('category').category[this.slot] = value;
+    this.#change('category').category[this.slot] = value;
   }
 
   /** What it touches: bits, 0 to 0xffff. */
@@ -172,7 +172,7 @@ export class Particle {
   }
   set mask(value: number) {
     requireInteger('Particle.mask', 'mask', value, 0, 0xffff);
-    this.#of('mask').mask[this.slot] = value;
+    this.#change('mask').mask[this.slot] = value;
   }
 
   /** Whether it only tells what touches it, and neither pushes nor is pushed. */
@@ -181,14 +181,24 @@ export class Particle {
   }
   set sensor(value: boolean) {
     requireFlag('Particle.sensor', 'sensor', value);
-    this.#of('sensor').sensor[this.slot] = value ? 1 : 0;
+    this.#change('sensor').sensor[this.slot] = value ? 1 : 0;
+  }
+
+  /** Whether it sleeps: it rests, and the step leaves it out until something touches it, changes it or `wake` is called. */
+  get asleep(): boolean {
+    return this.#of('asleep').asleep[this.slot] === 1;
+  }
+
+  /** Wakes it, and with it all that it rests on or that rests on it. */
+  wake(): void {
+    this.#change('wake');
   }
 
   /** Adds a force to the accumulator: it acts during the next step alone. Unit: N. */
   applyForce(fx: number, fy: number): void {
     requireFinite('Particle.applyForce', 'fx', fx, 'newtons');
     requireFinite('Particle.applyForce', 'fy', fy, 'newtons');
-    const slots = this.#of('applyForce');
+    const slots = this.#change('applyForce');
     slots.fx[this.slot] += fx;
     slots.fy[this.slot] += fy;
   }
@@ -197,7 +207,7 @@ export class Particle {
   applyImpulse(ix: number, iy: number): void {
     requireFinite('Particle.applyImpulse', 'ix', ix, 'newton-seconds');
     requireFinite('Particle.applyImpulse', 'iy', iy, 'newton-seconds');
-    const slots = this.#of('applyImpulse');
+    const slots = this.#change('applyImpulse');
     slots.vx[this.slot] += ix * slots.inverseMass[this.slot];
     slots.vy[this.slot] += iy * slots.inverseMass[this.slot];
   }
@@ -210,6 +220,13 @@ export class Particle {
   /** Whether the particle lives in the world that these arrays belong to. */
   isIn(particles: object): boolean {
     return this.#slots === particles && this.alive;
+  }
+
+  /** The slots, to write to: whoever is written to wakes. */
+  #change(name: string): ParticleSlots {
+    const slots = this.#of(name);
+    slots.wake(this.slot);
+    return slots;
   }
 
   #of(member: string): ParticleSlots {

@@ -10,4 +10,6 @@ export interface Resolver {
    * @returns Whether every position and velocity came out finite.
    */
   step(simulation: Simulation, dt: number): boolean;
+  /** Whether everything sleeps, and nothing has changed since that could wake it: there is nothing to move on. */
+  isAtRest?(simulation: Simulation): boolean;
 }

@@ -53,7 +53,7 @@ export class ArrowArt {
     mean: boolean,
     { scale, longest }: ArrowStyle,
     { shaft, head }: ArrowPaints,
-    { bodies, particles: { mass, inverseMass } }: ViewedWorld,
+    { bodies, particles: { mass } }: ViewedWorld,
     list: PathList,
     frame: Frame,
   ): void {
@@ -64,7 +64,7 @@ export class ArrowArt {
       let sumY = 0;
       let weights = 0;
       for (const { slot } of particles) {
-        if (inverseMass[slot] === 0 || slot >= valueX.length) continue;
+        if (mass[slot] === Infinity || slot >= valueX.length) continue;
         const weight = mean ? mass[slot] : 1;
         sumX += weight * valueX[slot];
         sumY += weight * valueY[slot];
@@ -111,14 +111,14 @@ function addArrows(
   valueY: Float64Array,
   { scale, longest }: ArrowStyle,
   { shaft, head }: ArrowPaints,
-  { particles: { count, alive, inverseMass } }: ViewedWorld,
+  { particles: { count, alive, mass } }: ViewedWorld,
   list: PathList,
   frame: Frame,
 ): void {
   const factor = scale * frame.scale;
   const { x, y } = frame;
   for (let i = 0; i < Math.min(count, valueX.length); i++) {
-    if (alive[i] === 0 || inverseMass[i] === 0 || frame.bodyOf[i] > 0) continue;
+    if (alive[i] === 0 || mass[i] === Infinity || frame.bodyOf[i] > 0) continue;
     if (frame.misses(x[i], y[i], x[i], y[i], longest)) continue;
     addArrow(list, x[i], y[i], valueX[i] * factor, -valueY[i] * factor, longest, shaft, head);
   }

@@ -40,7 +40,7 @@ export class PinMarks {
     const particle = particleOf(end);
     if (particle === undefined) {
       if (this.#points.at(-1) !== end) this.#points.push(end);
-    } else if (this.#particles.inverseMass[particle.slot] === 0 && this.#noted[particle.slot] === 0) {
+    } else if (this.#particles.mass[particle.slot] === Infinity && this.#noted[particle.slot] === 0) {
       this.#noted[particle.slot] = 1;
       this.#slots.push(particle.slot);
     }

@@ -97,7 +97,7 @@ export class World implements ParticleSpawner {
     return this.#simulation.gravity;
   }
   set gravity(value: Readonly<Vec2>) {
-    requireVector(this.#betweenSteps('World.gravity'), 'gravity', value, 'metres per second squared');
+    requireVector(this.#toChange('World.gravity'), 'gravity', value, 'metres per second squared');
     this.#simulation.gravity = Object.freeze({ x: value.x, y: value.y });
   }
 
@@ -114,6 +114,11 @@ export class World implements ParticleSpawner {
   /** How many particles live in the world. */
   get particleCount(): number {
     return this.#store.living;
+  }
+
+  /** How many of them sleep: at rest, and left out of the step until something touches or changes them. */
+  get sleepingCount(): number {
+    return this.#store.sleeping;
   }
 
   /** The particles' numbers themselves, as typed arrays. */
@@ -193,7 +198,7 @@ export class World implements ParticleSpawner {
 
   /** Frees particles of a force, or, without a list, takes the force out of the world. */
   removeForce(generator: ForceGenerator, particles?: Iterable<Particle>): void {
-    this.#forces.remove(this.#betweenSteps('World.removeForce'), generator, particles);
+    this.#forces.remove(this.#toChange('World.removeForce'), generator, particles);
   }
 
   /** Joins two ends from the next step on. @returns The link. */
@@ -203,12 +208,14 @@ export class World implements ParticleSpawner {
       if (end instanceof Particle) requireMember(where, end, this.#store);
     }
     this.#sources.addLink(where, link);
+    wakeEnds(link);
     return link;
   }
 
   /** Takes a link out of the world. */
   removeLink(link: Link): void {
     this.#sources.removeLink(this.#betweenSteps('World.removeLink'), link);
+    wakeEnds(link);
   }
 
   /** Builds a body, such as `box({ … })`, whole or, where it cannot be, not at all. @returns The body. */
@@ -223,24 +230,24 @@ export class World implements ParticleSpawner {
 
   /** Adds immovable scenery. @returns The shape. */
   addShape<T extends Shape>(shape: T): T {
-    this.#sources.shapes.add(this.#betweenSteps('World.addShape'), shape);
+    this.#sources.shapes.add(this.#toChange('World.addShape'), shape);
     return shape;
   }
 
   /** Takes scenery out of the world. */
   removeShape(shape: Shape): void {
-    this.#sources.shapes.remove(this.#betweenSteps('World.removeShape'), shape);
+    this.#sources.shapes.remove(this.#toChange('World.removeShape'), shape);
   }
 
   /** Adds something that finds contacts, such as `DiscContacts`. @returns The generator. */
   addContactGenerator<T extends ContactGenerator>(generator: T): T {
-    this.#sources.generators.add(this.#betweenSteps('World.addContactGenerator'), generator);
+    this.#sources.generators.add(this.#toChange('World.addContactGenerator'), generator);
     return generator;
   }
 
   /** Takes a contact generator out of the world. */
   removeContactGenerator(generator: ContactGenerator): void {
-    this.#sources.generators.remove(this.#betweenSteps('World.removeContactGenerator'), generator);
+    this.#sources.generators.remove(this.#toChange('World.removeContactGenerator'), generator);
   }
 
   /** Adds something that makes particles as time goes by. @returns The effect. */
@@ -266,6 +273,11 @@ export class World implements ParticleSpawner {
     return this.#events.on(name, listener);
   }
 
+  /** Wakes every particle: to be called when numbers of sleeping ones were written straight into `particles`. */
+  wake(): void {
+    this.#store.wakeAll();
+  }
+
   /**
    * Moves the world on. A step that fails, by a number that is no longer finite or an error in a game's own force, link or
    * contact generator, is undone before the error is thrown.
@@ -276,9 +288,11 @@ export class World implements ParticleSpawner {
     if (this.#stepping) throw new Error(`${where}: a step must end before the next; an effect or a listener took one.`);
     requireNonNegative(where, 'dt', dt, 'seconds', 'Time runs forward only.');
     if (dt === 0) return;
-    this.#simulation.before.save(this.#store);
-    this.#resolve(dt);
-    this.#simulation.before.commit(this.#store);
+    if (!this.#resolver.isAtRest?.(this.#simulation)) {
+      this.#simulation.before.save(this.#store);
+      this.#resolve(dt);
+      this.#simulation.before.commit(this.#store);
+    }
     this.#simulation.time += dt;
     this.#stepCount++;
     this.#expiry.age(this.#store, dt);
@@ -324,8 +338,20 @@ export class World implements ParticleSpawner {
   }
 
   /** Throws within a step. Returns `where`, for what else may be wrong there. */
+  /** For what may move anything: all that sleeps wakes. */
+  #toChange(where: string): string {
+    this.#betweenSteps(where);
+    this.#store.wakeAll();
+    return where;
+  }
+
   #betweenSteps(where: string): string {
     if (!this.#store.locked) return where;
     throw new Error(`${where}: this must be called between steps; a force generator called it within one.`);
   }
+}
+
+/** What hangs on a link that comes or goes wakes. */
+function wakeEnds({ a, b }: Link): void {
+  for (const end of [a, b]) if (end instanceof Particle && end.alive) end.wake();
 }

@@ -29,17 +29,23 @@ export class ContactSolver {
   #calm = 0;
 
   /**
-   * Finds the contacts of the step. Reads the particles, links, shapes and generators. Writes the contacts and the rows.
+   * Finds the contacts of the step. Reads the particles, links, shapes and generators. Writes the contacts.
    * @param dt - Duration of the step. Unit: s.
-   * @param h - Duration of a small step. Unit: s.
    */
-  find({ contacts, gravity, particles, sources }: Simulation, dt: number, h: number): void {
+  find({ contacts, gravity, sources }: Simulation, dt: number): void {
     const g = Math.sqrt(gravity.x * gravity.x + gravity.y * gravity.y);
     contacts.lookAhead = dt;
     contacts.margin = g * dt * dt;
     this.#resting = g * dt;
     this.#calm = 2 * g * dt;
     sources.gather(contacts, dt, true);
+  }
+
+  /**
+   * Makes rows of the contacts. Reads the contacts and particles. Writes the rows.
+   * @param h - Duration of a small step. Unit: s.
+   */
+  begin({ contacts, particles, sources }: Simulation, h: number): void {
     this.#memory.recall(contacts, sources.links.length, h);
     this.#rows.build(contacts, particles);
     this.#edges.build(contacts, particles);

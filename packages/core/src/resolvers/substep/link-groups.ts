@@ -1,22 +1,20 @@
 import type { ContactSources } from '../../contacts/contact-sources.ts';
 import type { Link, LinkSolver } from '../../links/link.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
+import type { ParticleStore } from '../../particles/particle-store.ts';
 
 /** The links of a world that say who keeps them, each kind with its solver. */
 export class LinkGroups {
   readonly #solvers = new Map<() => LinkSolver, LinkSolver>();
   #list: LinkSolver[] = [];
   #version = -1;
+  #sleepVersion = 0;
 
-  /** How many solvers are at work. */
-  get count(): number {
-    return this.#list.length;
-  }
-
-  /** Sorts the links out, if any came or went, and begins a step. */
-  begin(sources: ContactSources, particles: ParticleArrays): void {
-    if (this.#version !== sources.linkVersion) {
+  /** Sorts the links out, if any came or went or who sleeps has changed, and begins a step. */
+  begin(sources: ContactSources, particles: ParticleStore): void {
+    if (this.#version !== sources.linkVersion || this.#sleepVersion !== particles.sleepVersion) {
       this.#version = sources.linkVersion;
+      this.#sleepVersion = particles.sleepVersion;
       this.#sort(sources.links, particles);
     }
     for (let s = 0; s < this.#list.length; s++) this.#list[s].begin(particles);

@@ -1,4 +1,4 @@
-import { requireInteger, requireOptions } from '../../math/checks.ts';
+import { requireInteger, requireNonNegative, requireOptions, requirePositiveOrInfinite } from '../../math/checks.ts';
 import type { Vec2 } from '../../math/vec2.ts';
 import { allFinite } from '../../particles/finite.ts';
 import type { ParticleStore } from '../../particles/particle-store.ts';
@@ -8,11 +8,16 @@ import type { Resolver } from '../resolver.ts';
 import { ContactSolver } from './contact-solver.ts';
 import { HeldForces } from './held-forces.ts';
 import { LinkGroups } from './link-groups.ts';
+import { Sleep } from './sleep.ts';
 
 /** How the sub-step resolver works. */
 export interface SubstepOptions {
   /** Into how many small steps a step is divided, 1 to 64. More are more exact, and cost more. @default 4 */
   subSteps?: number;
+  /** What touches or hangs together sleeps once all of it has been slow for so long; `Infinity`: never. Unit: s. @default 0.5 */
+  sleepTime?: number;
+  /** Slower than this is slow. Unit: m/s. @default 0.03 */
+  sleepSpeed?: number;
 }
 
 /**
@@ -23,9 +28,11 @@ export interface SubstepOptions {
  */
 export function substep(options: SubstepOptions = {}): Resolver {
   requireOptions('substep', 'options', options, '{ subSteps: 4 }');
-  const { subSteps = 4 } = options;
+  const { subSteps = 4, sleepTime = 0.5, sleepSpeed = 0.03 } = options;
   requireInteger('substep', 'subSteps', subSteps, 1, 64);
-  return new SubstepResolver(subSteps);
+  requirePositiveOrInfinite('substep', 'sleepTime', sleepTime, 'seconds');
+  requireNonNegative('substep', 'sleepSpeed', sleepSpeed, 'metres per second');
+  return new SubstepResolver(subSteps, new Sleep(sleepTime, sleepSpeed));
 }
 
 class SubstepResolver implements Resolver {
@@ -35,14 +42,24 @@ class SubstepResolver implements Resolver {
   readonly #links = new LinkGroups();
   readonly #held = new HeldForces();
 
-  constructor(subSteps: number) {
+  readonly #sleep: Sleep;
+
+  constructor(subSteps: number, sleep: Sleep) {
     this.#subSteps = subSteps;
+    this.#sleep = sleep;
+  }
+
+  isAtRest({ particles }: Simulation): boolean {
+    return this.#sleep.isAtRest(particles);
   }
 
   step(simulation: Simulation, dt: number): boolean {
     const { particles, forces, gravity, sources, time } = simulation;
     const h = dt / this.#subSteps;
-    this.#contacts.find(simulation, dt, h);
+    this.#sleep.spread(particles);
+    do this.#contacts.find(simulation, dt);
+    while (this.#sleep.wakeTouched(simulation.contacts, particles));
+    this.#contacts.begin(simulation, h);
     this.#links.begin(sources, particles);
     this.#held.note(particles);
     for (let k = 0; k < this.#subSteps; k++) {
@@ -56,6 +73,7 @@ class SubstepResolver implements Resolver {
     }
     this.#contacts.relax(particles);
     this.#contacts.keep(simulation);
+    this.#sleep.settle(simulation, dt);
     return allFinite(particles);
   }
 }

@@ -1,0 +1,179 @@
+import type { ContactArrays } from '../../contacts/contact-arrays.ts';
+import { NO_EDGE, SCENERY } from '../../contacts/contact-buffer.ts';
+import { growColumns } from '../../math/columns.ts';
+import { particleOf } from '../../particles/end.ts';
+import type { ParticleStore } from '../../particles/particle-store.ts';
+import type { Simulation } from '../../world/simulation.ts';
+
+/** How often islands are looked for. Unit: steps. */
+const EVERY = 6;
+/** No island: of a particle that never slept. */
+const NONE = 0;
+/** No count of changes. */
+const NEVER = -1;
+/** Numbers of islands are used again after so many, long after the last sleeper of that number. */
+const MOST_ISLANDS = 0x4000_0000;
+
+/**
+ * Puts islands to sleep: particles that touch or are linked, directly or by others, all of which have been slower than a limit for a
+ * while. An island wakes as a whole.
+ */
+export class Sleep {
+  readonly #time: number;
+  readonly #speed: number;
+  readonly #table = {
+    /** For how long each particle has been slow. Unit: s. */
+    restTime: new Float64Array(0),
+    /** Of which generation it was then. */
+    generation: new Uint32Array(0),
+    /** By which number its island was put to sleep. */
+    island: new Int32Array(0),
+    /** The way to the first particle of an island. */
+    parent: new Int32Array(0),
+    /** Of the first: whether something of its island moves. */
+    restless: new Uint8Array(0),
+  };
+  #steps = 0;
+  #islands = 1;
+  /** The count of changes when everything was found asleep; negative where it was not. */
+  #restedAt = NEVER;
+  #seenChanges = NEVER;
+
+  /**
+   * @param time - How long an island must rest. Unit: s.
+   * @param speed - Below which a particle rests. Unit: m/s.
+   */
+  constructor(time: number, speed: number) {
+    this.#time = time;
+    this.#speed = speed;
+  }
+
+  /** Whether everything sleeps and nothing has changed since. */
+  isAtRest({ changes }: ParticleStore): boolean {
+    return this.#restedAt === changes;
+  }
+
+  /** Wakes the rest of each island of which a particle was woken. Reads asleep. Writes asleep, inverseMass. */
+  spread(particles: ParticleStore): void {
+    if (particles.sleeping === 0 || particles.changes === this.#seenChanges) return;
+    if (this.#table.island.length < particles.capacity) growColumns(this.#table, particles.capacity);
+    const { count, asleep } = particles;
+    const island = this.#table.island;
+    const woken = new Set<number>();
+    for (let i = 0; i < count; i++) if (island[i] !== NONE && asleep[i] === 0) woken.add(island[i]);
+    for (let i = 0; i < count; i++) {
+      if (!woken.has(island[i])) continue;
+      particles.wake(i);
+      island[i] = NONE;
+      this.#table.restTime[i] = 0;
+    }
+    this.#seenChanges = particles.changes;
+  }
+
+  /** Wakes the islands that are touched by what is awake. Returns whether there were any. */
+  wakeTouched({ count, a, b, edgeEnd }: ContactArrays, particles: ParticleStore): boolean {
+    if (particles.sleeping === 0) return false;
+    const { asleep, changes } = particles;
+    for (let c = 0; c < count; c++) {
+      if (b[c] === SCENERY) continue;
+      const sleepers = asleep[a[c]] + asleep[b[c]] + (edgeEnd[c] === NO_EDGE ? 0 : asleep[edgeEnd[c]]);
+      if (sleepers === 0) continue;
+      for (const slot of [a[c], b[c], edgeEnd[c]]) if (slot !== NO_EDGE && asleep[slot] === 1) particles.wake(slot);
+    }
+    if (changes === particles.changes) return false;
+    this.spread(particles);
+    return true;
+  }
+
+  /** Puts to sleep what has come to rest. Reads vx, vy, the contacts and links. Writes asleep, inverseMass, vx, vy. */
+  settle(simulation: Simulation, dt: number): void {
+    const { particles } = simulation;
+    if (this.#table.island.length < particles.capacity) growColumns(this.#table, particles.capacity);
+    this.#measure(particles, dt);
+    if (++this.#steps % EVERY !== 0) return;
+    for (const { slots, count } of simulation.forces.unsteadyTargets()) {
+      for (let t = 0; t < count; t++) this.#table.restTime[slots[t]] = 0;
+    }
+    if (isStill(particles)) {
+      this.#restedAt = particles.changes;
+      return;
+    }
+    this.#restedAt = NEVER;
+    if (!this.#anyRested(particles)) return;
+    this.#findIslands(simulation);
+    this.#putToSleep(particles);
+  }
+
+  /** Adds to the time of rest. Reads vx, vy, generation. */
+  #measure({ count, vx, vy, inverseMass, generation }: ParticleStore, dt: number): void {
+    const rest = this.#table.restTime;
+    const known = this.#table.generation;
+    const limit = this.#speed * this.#speed;
+    for (let i = 0; i < count; i++) {
+      if (inverseMass[i] === 0) continue;
+      const slow = vx[i] * vx[i] + vy[i] * vy[i] < limit && known[i] === generation[i];
+      rest[i] = slow ? rest[i] + dt : 0;
+      known[i] = generation[i];
+    }
+  }
+
+  #anyRested({ count, inverseMass }: ParticleStore): boolean {
+    for (let i = 0; i < count; i++) if (inverseMass[i] !== 0 && this.#table.restTime[i] >= this.#time) return true;
+    return false;
+  }
+
+  /** Joins what touches or is linked. Writes the way to the first particle of each island. */
+  #findIslands({ particles, contacts, sources }: Simulation): void {
+    const { count, inverseMass } = particles;
+    const { a, b, edgeEnd, impulse, penetration, margin } = contacts;
+    for (let i = 0; i < count; i++) this.#table.parent[i] = i;
+    for (let c = 0; c < contacts.count; c++) {
+      if (b[c] === SCENERY || (impulse[c] === 0 && penetration[c] < -margin)) continue;
+      this.#join(a[c], b[c], inverseMass);
+      if (edgeEnd[c] !== NO_EDGE) this.#join(a[c], edgeEnd[c], inverseMass);
+    }
+    for (const link of sources.links) {
+      const first = particleOf(link.a);
+      const second = particleOf(link.b);
+      if (first !== undefined && second !== undefined) this.#join(first.slot, second.slot, inverseMass);
+    }
+  }
+
+  /** The immovable joins nothing. */
+  #join(i: number, j: number, inverseMass: Float64Array): void {
+    if (inverseMass[i] === 0 || inverseMass[j] === 0) return;
+    const first = this.#firstOf(i);
+    const second = this.#firstOf(j);
+    if (first < second) this.#table.parent[second] = first;
+    else this.#table.parent[first] = second;
+  }
+
+  #firstOf(i: number): number {
+    const parent = this.#table.parent;
+    while (parent[i] !== i) {
+      parent[i] = parent[parent[i]];
+      i = parent[i];
+    }
+    return i;
+  }
+
+  #putToSleep(particles: ParticleStore): void {
+    const { count, inverseMass } = particles;
+    const restless = this.#table.restless.fill(0, 0, count);
+    for (let i = 0; i < count; i++) {
+      if (inverseMass[i] !== 0 && this.#table.restTime[i] < this.#time) restless[this.#firstOf(i)] = 1;
+    }
+    for (let i = 0; i < count; i++) {
+      if (inverseMass[i] === 0 || restless[this.#firstOf(i)] === 1) continue;
+      this.#table.island[i] = this.#islands + this.#firstOf(i);
+      particles.sleep(i);
+    }
+    this.#islands = ((this.#islands + count) % MOST_ISLANDS) + 1;
+  }
+}
+
+/** Whether nothing is awake that can move, and nothing else moves. Reads alive, inverseMass, vx, vy. */
+function isStill({ count, inverseMass, vx, vy }: ParticleStore): boolean {
+  for (let i = 0; i < count; i++) if (inverseMass[i] !== 0 || vx[i] !== 0 || vy[i] !== 0) return false;
+  return true;
+}
