@@ -50,6 +50,11 @@ export class ContactSources {
     this.#pairsAreOld = true;
   }
 
+  /** Whether there is nothing that could find a contact. */
+  get isEmpty(): boolean {
+    return this.links.length + this.shapes.list.length + this.generators.list.length === 0;
+  }
+
   /** What found the contacts whose `source` is a number. */
   at(source: number): ContactSource {
     const shape = source - this.#links.list.length;

@@ -29,7 +29,7 @@ import { checkParticleOptions, type ParticleOptions, writeParticle } from '../pa
 import type { ParticleSpawner } from '../particles/particle-spawner.ts';
 import { ParticleStore } from '../particles/particle-store.ts';
 import type { Resolver } from '../resolvers/resolver.ts';
-import { severity } from '../resolvers/severity/severity.ts';
+import { substep } from '../resolvers/substep/substep.ts';
 import { Checkpoint } from './checkpoint.ts';
 import { ContactWatch } from './contact-watch.ts';
 import { EventQueue, type WorldEvents } from './events.ts';
@@ -45,7 +45,7 @@ export interface WorldOptions {
   gravity?: Readonly<Vec2>;
   /** How velocities and positions are brought on. @default semiImplicitEuler */
   integrator?: Integrator;
-  /** How contacts and links are kept. @default severity() */
+  /** How contacts and links are kept. @default substep() */
   resolver?: Resolver;
   /** The most contacts that a step may have; those left out are counted in `contacts.leftOut`. @default Infinity */
   contactLimit?: number;
@@ -71,11 +71,11 @@ export class World implements ParticleSpawner {
 
   constructor(options: WorldOptions = {}) {
     requireOptions('World', 'options', options, '{ gravity: { x: 0, y: -9.81 } }');
-    const { gravity = { x: 0, y: 0 }, integrator = semiImplicitEuler, resolver = severity() } = options;
+    const { gravity = { x: 0, y: 0 }, integrator = semiImplicitEuler, resolver = substep() } = options;
     const { contactLimit = Infinity, capacity = 64 } = options;
     requireVector('World', 'gravity', gravity, 'metres per second squared');
     requireFunction('World', 'integrator', integrator, 'such as semiImplicitEuler');
-    requireFunction('World', 'resolver.step', resolver?.step, 'of a resolver such as severity()');
+    requireFunction('World', 'resolver.step', resolver?.step, 'of a resolver such as substep()');
     if (contactLimit !== Infinity) requireInteger('World', 'contactLimit', contactLimit, 0, 0x4000_0000);
     requireInteger('World', 'capacity', capacity, 0, 0x100_0000);
     this.#store.reserve(capacity);

@@ -24,7 +24,8 @@ export interface SubstepOptions {
  * The resolver for games: many contacts, friction, ropes, cloth, rest. Contacts are found once a step, ahead of time. Then come small
  * steps (M. Macklin et al.: Small Steps in Physics Simulation, 2019), in each of which forces act, links are kept by solvers of
  * their own, and contacts by one pass of soft constraints (E. Catto: Solver2D, 2024); a last pass takes out the speed by which
- * penetrations were undone. It is semi-implicit, whatever the world's integrator.
+ * penetrations were undone. It is semi-implicit, whatever the world's integrator; where there is nothing to resolve, no links, shapes or
+ * contact generators, a step is taken whole, by the integrator.
  */
 export function substep(options: SubstepOptions = {}): Resolver {
   requireOptions('substep', 'options', options, '{ subSteps: 4 }');
@@ -55,6 +56,7 @@ class SubstepResolver implements Resolver {
 
   step(simulation: Simulation, dt: number): boolean {
     const { particles, forces, gravity, sources, time } = simulation;
+    if (sources.isEmpty) return flyFreely(simulation, dt);
     const h = dt / this.#subSteps;
     this.#sleep.spread(particles);
     do this.#contacts.find(simulation, dt);
@@ -76,6 +78,16 @@ class SubstepResolver implements Resolver {
     this.#sleep.settle(simulation, dt);
     return allFinite(particles);
   }
+}
+
+/** A world without links, shapes and contact generators has nothing to resolve: one whole step, by the world's integrator. */
+function flyFreely(
+  { particles, forces, sources, contacts, integrate, gravity, time }: Simulation,
+  dt: number,
+): boolean {
+  contacts.clear(particles.count, sources.linkedPairs());
+  forces.apply(dt, time);
+  return integrate(particles, gravity, dt);
 }
 
 /** v' = (v + a·h)·d^h. */
