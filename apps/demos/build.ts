@@ -3,6 +3,8 @@ import { cpSync, mkdirSync, mkdtempSync, renameSync, rmSync, writeFileSync } fro
 import { dirname, join, relative, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { build as bundle, type Metafile } from 'esbuild';
+import { directImports } from './direct-imports.ts';
+import { hero } from './pages/chapters.ts';
 import type { Assets } from './pages/layout.ts';
 import { listPage } from './pages/list-page.ts';
 import { scenePage } from './pages/scene-page.ts';
@@ -11,7 +13,7 @@ import { scenes } from './src/scenes/index.ts';
 const here = dirname(fileURLToPath(import.meta.url));
 const dist = join(here, 'dist');
 
-/** The entries of the bundle: what a page loads by name. Every other chunk is loaded by these. */
+/** The entries of the bundle: what a page loads by name. Every other chunk is loaded by these, the code of a scene among them. */
 const entries = {
   list: 'src/gallery/list-page.ts',
   scene: 'src/gallery/scene-page.ts',
@@ -47,6 +49,7 @@ async function buildInto(next: string): Promise<void> {
     assetNames: 'assets/[name]-[hash]',
     bundle: true,
     splitting: true,
+    plugins: [directImports],
     format: 'esm',
     target: 'es2022',
     minify: true,
@@ -62,11 +65,12 @@ async function buildInto(next: string): Promise<void> {
     mkdirSync(dirname(path), { recursive: true });
     writeFileSync(path, text);
   };
-  const assetsOf = (script: 'list' | 'scene', toRoot: string): Assets => findAssets(metafile, next, script, toRoot);
-  write('index.html', listPage(scenes, assetsOf('list', '')));
+  const assetsOf = (script: 'list' | 'scene', id: string, toRoot: string): Assets =>
+    findAssets(metafile, next, [entries[script], `src/scenes/${id}.ts`], toRoot);
+  write('index.html', listPage(scenes, assetsOf('list', hero.id, '')));
   for (const [index, scene] of scenes.entries()) {
     const neighbours = { previous: scenes[index - 1], next: scenes[index + 1] };
-    const page = await scenePage(scene, neighbours, assetsOf('scene', '../../'));
+    const page = await scenePage(scene, neighbours, assetsOf('scene', scene.id, '../../'));
     write(`scenes/${scene.id}/index.html`, page);
   }
   // GitHub Pages hides files whose name begins with an underscore unless told not to; other hosts do not mind the file.
@@ -83,8 +87,16 @@ function move(from: string, to: string): void {
   }
 }
 
-/** The addresses of what a page loads, seen from the page: `toRoot` leads from it to the root of the gallery. */
-function findAssets(metafile: Metafile, built: string, script: 'list' | 'scene', toRoot: string): Assets {
+/**
+ * The addresses of what a page loads, its script and the scene that moves first, seen from the page: `toRoot` leads from it to
+ * the root of the gallery.
+ */
+function findAssets(
+  metafile: Metafile,
+  built: string,
+  [script, scene]: readonly [script: string, scene: string],
+  toRoot: string,
+): Assets {
   const address = (output: string): string =>
     `${toRoot}${relative(built, resolve(here, output)).replaceAll('\\', '/')}`;
   const outputOf = (entry: string): string => {
@@ -100,8 +112,9 @@ function findAssets(metafile: Metafile, built: string, script: 'list' | 'scene',
     }
     return found;
   };
-  const output = outputOf(entries[script]);
-  const preload = importsOf(output);
+  const output = outputOf(script);
+  const sceneOutput = outputOf(scene);
+  const preload = importsOf(sceneOutput, importsOf(output).add(sceneOutput));
   const pixi = outputOf('src/stage/pixi-picture.ts');
   const pixiPreload = [pixi, ...importsOf(pixi)].filter((path) => !preload.has(path));
   return {

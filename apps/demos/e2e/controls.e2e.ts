@@ -74,6 +74,7 @@ test('the renderer is changed while the scene runs, and kept in the address', as
 
 test('PixiJS is loaded only when it is chosen', async ({ page }) => {
   const scripts: string[] = [];
+  const weight = (): number => scripts.reduce((sum, script) => sum + script.length, 0);
   page.on('response', async (response) => {
     if (response.url().endsWith('.js')) scripts.push(await response.text());
   });
@@ -82,6 +83,8 @@ test('PixiJS is loaded only when it is chosen', async ({ page }) => {
   await openScene(page, 'projectiles');
   expect(scripts.length).toBeGreaterThan(1);
   expect(pixi()).toBe(0);
+  // No PixiJS, no scene but its own, no part of the engine that the scene does not use.
+  expect(weight()).toBeLessThan(250_000);
   await page.getByRole('radio', { name: 'PixiJS' }).click();
   await expect.poll(() => read(page, ({ renderer }) => renderer)).toBe('pixi');
   expect(pixi()).toBeGreaterThan(0);
@@ -101,8 +104,8 @@ test('everything can be done without a mouse', async ({ page }) => {
         each !== null && getComputedStyle(each).outlineStyle !== 'none';
       const rings = [element, host, element?.querySelector('[part~="thumb"]') ?? null];
       return {
-        name: host?.getAttribute('aria-label') ?? host?.textContent?.trim() ?? '',
-        tag: host?.localName ?? '',
+        name: host?.getAttribute('aria-label') ?? (host?.closest('label') ?? host)?.textContent?.trim() ?? '',
+        tag: host instanceof HTMLInputElement ? host.type : (host?.localName ?? ''),
         ring: rings.some(outlined),
       };
     });
@@ -112,13 +115,14 @@ test('everything can be done without a mouse', async ({ page }) => {
       expect(await read(page, ({ stage }) => stage.playing)).toBe(false);
       expect(focus.ring).toBe(true);
     }
-    if (focus.tag === 'wa-radio' && focus.name === 'Canvas 2D') {
+    if (focus.tag === 'radio' && focus.name === 'Canvas 2D') {
+      expect(focus.ring).toBe(true);
       await page.keyboard.press('ArrowRight');
       changed = true;
     }
   }
   await expect.poll(() => read(page, ({ renderer }) => renderer)).toBe('pixi');
-  for (const tag of ['a', 'button', 'wa-slider', 'wa-radio']) {
+  for (const tag of ['a', 'button', 'wa-slider', 'radio']) {
     expect(
       [...reached].some((each) => each.startsWith(`${tag} `)),
       tag,

@@ -38,7 +38,7 @@ export function read<T>(page: Page, of: (mass: MassOnPage) => T): Promise<T> {
  */
 export async function openScene(page: Page, id: string, query = ''): Promise<void> {
   await page.goto(`scenes/${id}/${query}`);
-  await page.locator('[data-choice="renderer"] wa-radio').first().waitFor();
+  await page.locator('[data-choice="renderer"] input').first().waitFor();
   const renderer = new URLSearchParams(query).get('renderer') ?? 'canvas2d';
   await expect.poll(() => read(page, (mass) => mass.renderer)).toBe(renderer);
   await expect.poll(() => read(page, ({ stage }) => stage.panes.every(({ camera }) => camera.width > 0))).toBe(true);

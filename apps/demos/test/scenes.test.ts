@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { scenes } from '../src/scenes/index.ts';
+import { loadScene, sceneIds } from '../src/scenes/load-scene.ts';
 import { runner } from '../src/scenes/run.ts';
 import { holds, type Setup } from '../src/scenes/scene.ts';
 import { goldenHashes } from './golden-hashes.ts';
@@ -64,6 +65,11 @@ describe.each(scenes.map((scene) => [scene.id, scene] as const))('scene %s', (id
 describe('the scenes', () => {
   it('have addresses of their own', () => {
     expect(new Set(scenes.map(({ id }) => id)).size).toBe(scenes.length);
+  });
+
+  it('are loaded by their ids; an id that there is not is an error that names those there are', async () => {
+    expect(scenes.map(({ id }) => id)).toEqual(sceneIds);
+    await expect(loadScene('toString')).rejects.toThrow(/one of projectiles, .*; got toString/);
   });
 
   it('have a golden hash each, and no hash is left of a scene that is gone', () => {

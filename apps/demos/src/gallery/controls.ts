@@ -1,5 +1,3 @@
-import '@awesome.me/webawesome/dist/components/radio/radio.js';
-import '@awesome.me/webawesome/dist/components/radio-group/radio-group.js';
 import '@awesome.me/webawesome/dist/components/slider/slider.js';
 import type { Parameter } from '../scenes/scene.ts';
 import { type RendererKind, rendererKinds, rendererNames } from '../stage/renderers.ts';
@@ -65,23 +63,21 @@ function fillChoice(
   chosen: string,
   choose: (value: string) => void,
 ): void {
-  const group = document.createElement('wa-radio-group');
-  group.label = label;
-  group.orientation = 'horizontal';
-  group.size = 's';
-  group.value = chosen;
-  group.append(
-    ...choices.map(([value, text]) => {
-      const radio = document.createElement('wa-radio');
-      radio.value = value;
-      radio.appearance = 'button';
-      radio.textContent = text;
-      return radio;
-    }),
-  );
-  group.addEventListener('change', () => {
-    choose(String(group.value));
-  });
+  const group = document.createElement('fieldset');
+  const legend = document.createElement('legend');
+  legend.className = 'choice-label';
+  legend.textContent = label;
+  group.append(legend);
+  for (const [value, text] of choices) {
+    const option = document.createElement('label');
+    const radio = document.createElement('input');
+    radio.type = 'radio';
+    radio.name = label;
+    radio.checked = value === chosen;
+    radio.addEventListener('change', () => choose(value));
+    option.append(radio, text);
+    group.append(option);
+  }
   host.replaceChildren(group);
 }
 

@@ -1,6 +1,6 @@
 import type { Stage } from '../stage/stage.ts';
 
-/** Keys that work anywhere on the page, except where somebody types or a button has the focus. */
+/** Keys that work anywhere on the page, except where somebody types or what has the focus means something else by them. */
 export class Keyboard {
   readonly #stage: Stage;
   readonly #togglePlaying: () => void;
@@ -14,7 +14,7 @@ export class Keyboard {
   #press(event: KeyboardEvent): void {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
     const target = event.composedPath()[0];
-    if (target instanceof Element && target.matches('input, textarea, select')) return;
+    if (target instanceof Element && target.matches('input:not([type="radio"]), textarea, select')) return;
     const run = this.#meaning(event, target);
     if (!run) return;
     event.preventDefault();
@@ -23,10 +23,10 @@ export class Keyboard {
 
   #meaning({ key, repeat }: KeyboardEvent, target: EventTarget | undefined): (() => void) | undefined {
     const stage = this.#stage;
-    // On a button, a link or a choice the space bar and Enter have a meaning already.
-    const pressable =
-      target instanceof Element && target.closest('button, a, summary, wa-radio, [role="radio"]') !== null;
+    // On a button, a link or a choice the space bar and Enter have a meaning already, and on a choice so have the arrows.
+    const pressable = target instanceof Element && target.closest('button, a, summary, input') !== null;
     if (key === 'Enter' && (pressable || repeat)) return undefined;
+    if (key.startsWith('Arrow') && target instanceof HTMLInputElement) return undefined;
     if (stage.setup.actions?.some((action) => action.key === key)) return () => stage.act(key);
     if (key === '.') return () => stage.step();
     if (repeat) return undefined;

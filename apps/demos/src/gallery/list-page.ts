@@ -1,6 +1,7 @@
 import type { Bounds } from '@mass/core/view';
-import { sceneOf } from '../scenes/index.ts';
+import { loadScene } from '../scenes/load-scene.ts';
 import { DEFAULT_SEED, defaultValues } from '../scenes/run.ts';
+import type { Scene } from '../scenes/scene.ts';
 import { Hand } from '../stage/hand.ts';
 import { Stage } from '../stage/stage.ts';
 import { find } from './find.ts';
@@ -19,12 +20,13 @@ const START_TIME = 6;
 const narrow = matchMedia('(max-width: 560px)');
 const still = matchMedia('(prefers-reduced-motion: reduce)');
 const stages = new Map<HTMLElement, Stage>();
+/** Cards that are near and not started, and the scenes of those of them whose code has come. */
 const waiting = new Set<HTMLElement>();
+const ready = new Map<HTMLElement, Scene>();
 const seen = new Set<HTMLElement>();
 const hero = find('#hero');
 
-function start(host: HTMLElement): Stage {
-  const scene = sceneOf(host.dataset['scene']);
+function start(host: HTMLElement, scene: Scene): Stage {
   const stage = new Stage(host, {
     scene,
     values: defaultValues(scene),
@@ -51,26 +53,36 @@ function fitHero(): void {
 }
 
 /** Starts thumbnails that came near, a few at each frame: those in sight first. */
-function startWaiting(): void {
+function startReady(): void {
   const until = performance.now() + START_TIME;
-  while (waiting.size > 0 && performance.now() < until) {
-    const host = [...waiting].find((each) => seen.has(each)) ?? [...waiting][0];
+  while (ready.size > 0 && performance.now() < until) {
+    const [host, scene] = [...ready].find(([each]) => seen.has(each)) ?? [...ready][0];
     waiting.delete(host);
+    ready.delete(host);
     near.unobserve(host);
-    move(host, start(host));
+    move(host, start(host, scene));
   }
-  if (waiting.size > 0) requestAnimationFrame(startWaiting);
+  if (ready.size > 0) requestAnimationFrame(startReady);
 }
 
-/** A scene is started when its card comes near, not before; one that was passed by meanwhile waits for the next time. */
+async function load(host: HTMLElement): Promise<void> {
+  const scene = await loadScene(host.dataset['scene']);
+  if (!waiting.has(host)) return;
+  if (ready.size === 0) requestAnimationFrame(startReady);
+  ready.set(host, scene);
+}
+
+/** A scene is loaded and started when its card comes near, not before; one that was passed by waits for the next time. */
 const near = new IntersectionObserver(
   (entries) => {
-    const idle = waiting.size === 0;
     for (const { target, isIntersecting } of entries) {
-      if (isIntersecting) waiting.add(target as HTMLElement);
-      else waiting.delete(target as HTMLElement);
+      const host = target as HTMLElement;
+      waiting.delete(host);
+      ready.delete(host);
+      if (!isIntersecting) continue;
+      waiting.add(host);
+      void load(host);
     }
-    if (idle && waiting.size > 0) requestAnimationFrame(startWaiting);
   },
   { rootMargin: '200px' },
 );
@@ -97,7 +109,7 @@ watchTheme((palette) => {
 window.stages = stages;
 
 // The scene at the top moves first, and can be played with; the others follow.
-const heroStage = start(hero);
+const heroStage = start(hero, await loadScene(hero.dataset['scene']));
 new Hand(heroStage, { camera: false });
 fitHero();
 narrow.addEventListener('change', fitHero);

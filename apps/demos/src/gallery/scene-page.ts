@@ -1,4 +1,4 @@
-import { sceneOf } from '../scenes/index.ts';
+import { loadScene } from '../scenes/load-scene.ts';
 import { Hand } from '../stage/hand.ts';
 import { Stage } from '../stage/stage.ts';
 import { readAddress, writeAddress } from './address.ts';
@@ -9,7 +9,7 @@ import { Readings } from './readings.ts';
 import { currentPalette, watchTheme } from './theme.ts';
 import { Transport } from './transport.ts';
 
-const scene = sceneOf(find('article').dataset['scene']);
+const scene = await loadScene(find('article').dataset['scene']);
 const address = readAddress(scene, location.search);
 const host = find('#stage');
 const fault = find('#fault');
