@@ -6,7 +6,7 @@ import { giveBackEdges, solveEdges } from './edge-contacts.ts';
 import { EdgeRows } from './edge-rows.ts';
 import { ImpulseMemory } from './impulse-memory.ts';
 import { RIGID, softness } from './softness.ts';
-import { giveBack, solveContacts, sumImpulses } from './solve-contacts.ts';
+import { giveBack, solveContacts, sumImpulses, takeBackPush } from './solve-contacts.ts';
 
 /** Stiffness of contacts, of two particles and with scenery. Unit: Hz. */
 const HERTZ = 60;
@@ -76,8 +76,9 @@ export class ContactSolver {
   }
 
   /** Takes out the speed by which penetrations were undone, then gives back what hits give back. Reads x, y. Writes vx, vy. */
-  relax(particles: ParticleArrays): void {
+  relax({ contacts, particles }: Simulation): void {
     const rows = this.#rows;
+    takeBackPush(rows, particles, contacts.penetration, this.#scenerySoft.biasRate);
     solveContacts(rows, 0, rows.pairCount, particles, RIGID, this.#h, this.#calm);
     solveEdges(this.#edges, particles, RIGID, this.#h, this.#calm);
     solveContacts(rows, rows.pairCount, rows.count, particles, RIGID, this.#h, this.#calm);

@@ -78,6 +78,35 @@ export function sumImpulses({ count, normal, tangent, normalSum, tangentSum }: I
 }
 
 /**
+ * Takes back the speed at which two were pushed out of each other, where the contact holds nothing any more that a pass could lessen: two
+ * that were in each other do not fly apart. Reads the rows, inverseMass. Writes vx, vy.
+ * @param penetration - Of each contact, when it was found. Unit: m.
+ * @param biasRate - Share of it that was undone in a second. Unit: 1/s.
+ */
+export function takeBackPush(
+  { count, a, b, normalX, normalY, mass, normal, normalSum, contact }: ContactRows,
+  { vx, vy, inverseMass }: ParticleArrays,
+  penetration: Float64Array,
+  biasRate: number,
+): void {
+  for (let r = 0; r < count; r++) {
+    const depth = penetration[contact[r]];
+    if (normal[r] > 0 || normalSum[r] === 0 || depth <= 0) continue;
+    const i = a[r];
+    const j = b[r];
+    const nx = normalX[r];
+    const ny = normalY[r];
+    const speed = (vx[i] - vx[j]) * nx + (vy[i] - vy[j]) * ny;
+    if (speed <= 0) continue;
+    const J = mass[r] * Math.min(speed, depth * biasRate, FASTEST_PUSH);
+    vx[i] -= J * inverseMass[i] * nx;
+    vy[i] -= J * inverseMass[i] * ny;
+    vx[j] += J * inverseMass[j] * nx;
+    vy[j] += J * inverseMass[j] * ny;
+  }
+}
+
+/**
  * Gives back a share of the closing speed that the step began with, where two hit each other in it. Reads the rows, inverseMass.
  * Writes vx, vy, and the sums of the impulses.
  * @param resting - Closing speed up to which a contact rests. Unit: m/s.

@@ -73,7 +73,7 @@ class SubstepResolver implements Resolver {
       this.#contacts.solve(particles);
       if (!move(particles, h)) return false;
     }
-    this.#contacts.relax(particles);
+    this.#contacts.relax(simulation);
     this.#contacts.keep(simulation);
     this.#sleep.settle(simulation, dt);
     return allFinite(particles);
