@@ -78,7 +78,7 @@ export class World implements ParticleSpawner {
     requireFunction('World', 'resolver.step', resolver?.step, 'of a resolver such as substep()');
     if (contactLimit !== Infinity) requireInteger('World', 'contactLimit', contactLimit, 0, 0x4000_0000);
     requireInteger('World', 'capacity', capacity, 0, 0x100_0000);
-    this.#store.reserve(capacity);
+    this.#store.reserve(capacity + 1);
     this.#resolver = resolver;
     this.#simulation = {
       particles: this.#store,

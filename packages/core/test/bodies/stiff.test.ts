@@ -1,4 +1,4 @@
-import { type BodyPlan, box, HalfPlane, polygon, regularPolygon, triangle, World } from '@mass/core';
+import { type BodyPlan, box, HalfPlane, polygon, regularPolygon, severity, triangle, World } from '@mass/core';
 import { describe, expect, it } from 'vitest';
 import { hashOf, run } from '../helpers.ts';
 import { momenta, worstStrain, wrapped } from './helpers.ts';
@@ -31,7 +31,7 @@ const plans: [string, BodyPlan, number, number][] = [
 
 describe.each(plans)('%s', (_name, plan, particles, links) => {
   it('[B2] has its mass, centre, velocity, angular velocity and orientation as they were asked for', () => {
-    const body = new World().addBody(plan);
+    const body = new World({ resolver: severity() }).addBody(plan);
     expect([body.particles.length, body.links.length]).toEqual([particles, links]);
     expect(body.mass).toBeCloseTo(6, 12);
     expect(body.x).toBeCloseTo(3, 12);
@@ -49,7 +49,7 @@ describe.each(plans)('%s', (_name, plan, particles, links) => {
   });
 
   it('[B6] an impulse off the centre changes velocity by J/M and angular velocity by r × J/I, to 1e-12', () => {
-    const body = new World().addBody(plan);
+    const body = new World({ resolver: severity() }).addBody(plan);
     const { vx, vy, angularVelocity, x, y, mass, inertia } = body;
     const before = momenta(body);
     const [jx, jy, atX, atY] = [1.7, -2.3, x + 0.4, y - 0.9];
@@ -64,7 +64,7 @@ describe.each(plans)('%s', (_name, plan, particles, links) => {
   });
 
   it('[B6] an impulse moves it as a rigid body: no rod is pulled', () => {
-    const body = new World().addBody(plan);
+    const body = new World({ resolver: severity() }).addBody(plan);
     body.applyImpulse(1.7, -2.3, 3.4, 1.1);
     for (const { a, b } of body.links) {
       const p = body.particles.find((particle) => particle === a);
@@ -75,9 +75,9 @@ describe.each(plans)('%s', (_name, plan, particles, links) => {
   });
 
   it('[B7] a force off the centre does over a step what an impulse F·dt does', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const pushed = world.addBody(plan);
-    const hit = new World().addBody(plan);
+    const hit = new World({ resolver: severity() }).addBody(plan);
     pushed.applyForce(17, -23, 3.4, 1.1);
     hit.applyImpulse(17 / 60, -23 / 60, 3.4, 1.1);
     const { fx, fy } = world.particles;
@@ -88,7 +88,7 @@ describe.each(plans)('%s', (_name, plan, particles, links) => {
   });
 
   it('[B4] in free flight keeps its momentum to 1e-12, and its rods their lengths to 2e-5', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const body = world.addBody(plan);
     for (let i = 0; i < 600; i++) {
       world.step(1 / 60);
@@ -101,7 +101,7 @@ describe.each(plans)('%s', (_name, plan, particles, links) => {
   });
 
   it('[B8] comes out of the world with all its particles and rods', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const other = world.addParticle({ x: 0, y: 0 });
     const body = world.addBody(plan);
     const [particle] = body.particles;
@@ -114,7 +114,7 @@ describe.each(plans)('%s', (_name, plan, particles, links) => {
 
   it('[B1] the same plan gives the same bits twice, and after a fall too', () => {
     const build = () => {
-      const world = new World({ gravity: weight });
+      const world = new World({ resolver: severity(), gravity: weight });
       world.addShape(new HalfPlane({ restitution: 0.3 }));
       world.addBody(plan);
       return world;
@@ -131,7 +131,7 @@ describe('turning', () => {
   it.each([60, 240])(
     '[B4] in flight under severity at 1/%i s a step takes 1/ω² to 1/ω² + dt², and nothing else of the turning',
     (rate) => {
-      const world = new World();
+      const world = new World({ resolver: severity() });
       const body = world.addBody(box({ x: 0, y: 0, width: 1, height: 0.6, angularVelocity: 3 }));
       for (let i = 1; i <= 10 * rate; i++) {
         world.step(1 / rate);
@@ -141,7 +141,7 @@ describe('turning', () => {
   );
 
   it('[B5] orientation follows ω·t, through full turns', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const body = world.addBody(box({ x: 0, y: 0, width: 1, height: 0.6, angularVelocity: -2, angle: 1 }));
     let turned = 1;
     for (let i = 0; i < 2400; i++) {
@@ -155,7 +155,7 @@ describe('turning', () => {
   });
 
   it('[B5] a pose is between the last two states', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const body = world.addBody(box({ x: 1, y: 2, width: 1, height: 1, vx: 6, angularVelocity: 0.6 }));
     world.step(1 / 60);
     const pose = { x: NaN, y: NaN, angle: NaN };
@@ -167,7 +167,7 @@ describe('turning', () => {
   });
 
   it('[B5] the angle comes back within half a turn', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     for (const angle of [-3, 3, 4, -7, 100]) {
       const body = world.addBody(triangle({ x: 0, y: 0, width: 1, angle }));
       expect(body.angle).toBeCloseTo(wrapped(angle), 12);
@@ -175,7 +175,7 @@ describe('turning', () => {
   });
 
   it('[B9] dropped without turning, it hits with a corner, turns, and comes to lie on a side', () => {
-    const world = new World({ gravity: weight });
+    const world = new World({ resolver: severity(), gravity: weight });
     world.addShape(new HalfPlane({ restitution: 0.3 }));
     const body = world.addBody(box({ x: 0, y: 3, width: 0.4, height: 1.6, mass: 4, radius: 0.05, angle: 0.5 }));
     let fastest = 0;
@@ -196,7 +196,7 @@ describe('turning', () => {
 
   it('[B9] falls mirror-wise when it is built mirror-wise', () => {
     const fall = (side: number) => {
-      const world = new World({ gravity: weight });
+      const world = new World({ resolver: severity(), gravity: weight });
       world.addShape(new HalfPlane({ restitution: 0.3 }));
       const body = world.addBody(
         triangle({ x: side, y: 2, width: 1, vx: side, angle: 0.3 * side, angularVelocity: side, radius: 0.05 }),
@@ -213,7 +213,7 @@ describe('turning', () => {
   it('[B10] hung by a pinned corner it swings as a compound pendulum, T = 2π √(I / (m·g·d)), to 0.2 %', () => {
     const reach = Math.sqrt(0.5 ** 2 + 0.3 ** 2);
     const swing = 0.1;
-    const world = new World({ gravity: weight });
+    const world = new World({ resolver: severity(), gravity: weight });
     const hung = world.addBody(
       box({
         x: Math.sin(swing) * reach,
@@ -242,7 +242,7 @@ describe('turning', () => {
   });
 
   it('[B10] an impulse turns it about a pinned particle, and does nothing to one with two', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const body = world.addBody(box({ x: 0, y: 0, width: 2, height: 2, mass: 4 }));
     const [corner, , , other] = body.particles;
     corner.mass = Infinity;
@@ -259,7 +259,9 @@ describe('turning', () => {
 
 describe('shapes', () => {
   it('[B2] a box has its corners counter-clockwise from the lower left', () => {
-    const body = new World().addBody(box({ x: 5, y: 6, width: 2, height: 4, radius: 0.1, restitution: 0.4, group: 7 }));
+    const body = new World({ resolver: severity() }).addBody(
+      box({ x: 5, y: 6, width: 2, height: 4, radius: 0.1, restitution: 0.4, group: 7 }),
+    );
     expect(body.particles.map(({ x, y }) => [x, y])).toEqual([
       [4, 4],
       [6, 4],
@@ -276,13 +278,17 @@ describe('shapes', () => {
   });
 
   it('[B2] a quarter turn takes each corner to the next', () => {
-    const body = new World().addBody(box({ x: 0, y: 0, width: 2, height: 2, angle: Math.PI / 2 }));
+    const body = new World({ resolver: severity() }).addBody(
+      box({ x: 0, y: 0, width: 2, height: 2, angle: Math.PI / 2 }),
+    );
     expect(body.particles[0].x).toBeCloseTo(1, 15);
     expect(body.particles[0].y).toBeCloseTo(-1, 15);
   });
 
   it('[B2] a regular polygon stands on a side, and of four sides is a box', () => {
-    const square = new World().addBody(regularPolygon({ x: 0, y: 0, sides: 4, circumradius: Math.SQRT2 }));
+    const square = new World({ resolver: severity() }).addBody(
+      regularPolygon({ x: 0, y: 0, sides: 4, circumradius: Math.SQRT2 }),
+    );
     const turned = [
       [-1, -1],
       [1, -1],

@@ -34,7 +34,7 @@ describe("a game's own contacts", () => {
       }
       addContacts: ContactGenerator['addContacts'];
     }
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const a = world.addParticle({ x: 0, y: 0, vx: -2, mass: 1 });
     const b = world.addParticle({ x: 1, y: 0, vx: 1, mass: 3 });
     world.addContactGenerator(new Hook(a, b, 1));
@@ -63,7 +63,7 @@ describe("a game's own contacts", () => {
         if (distance < reach) surface.add(distance, Math.SQRT1_2, Math.SQRT1_2);
       },
     };
-    const world = new World();
+    const world = new World({ resolver: severity() });
     world.addContactGenerator(ceiling);
     world.addShape(slope);
     const up = world.addParticle({ x: 5, y: 1.9, vy: 3, radius: 0.1 });
@@ -83,7 +83,7 @@ describe("a game's own contacts", () => {
     ['a slot that no particle has', (contacts) => contacts.add(0, 7, 1, 0, 0, 0), 'slot'],
     ['a particle with itself', (contacts) => contacts.add(1, 1, 1, 0, 0, 0), 'slot'],
   ])('[C9] %s is an error that leaves the world as it was', (_, add, part) => {
-    const world = new World({ gravity: { x: 0, y: -9.81 } });
+    const world = new World({ resolver: severity(), gravity: { x: 0, y: -9.81 } });
     world.addParticle({ x: 0, y: 0, vx: 1 }).applyForce(1, 2);
     world.addParticle({ x: 1, y: 0 });
     const wrong = world.addContactGenerator({ addContacts: (_particles, contacts) => add(contacts) });
@@ -97,7 +97,7 @@ describe("a game's own contacts", () => {
     [0, NaN, 1, 'normal'],
     [0, 1, 1, 'normal'],
   ])('[C9] a shape that reports (%d, %d, %d) is an error that leaves the world as it was', (distance, nx, ny, part) => {
-    const world = new World({ gravity: { x: 0, y: -9.81 } });
+    const world = new World({ resolver: severity(), gravity: { x: 0, y: -9.81 } });
     world.addParticle({ x: 0, y: 0, radius: 0.1 });
     const bounds = { minX: -1, minY: -1, maxX: 1, maxY: 1 };
     world.addShape({ ...bounds, restitution: 0, findSurface: (_x, _y, _reach, to) => to.add(distance, nx, ny) });
@@ -105,7 +105,7 @@ describe("a game's own contacts", () => {
   });
 
   it('[C9] where a position is not finite the error names the particle, not the contact', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     world.addContactGenerator(new DiscContacts());
     world.addParticle({ x: 0, y: 0, radius: 1 });
     const lost = world.addParticle({ x: 0.5, y: 0, radius: 1 });
@@ -116,7 +116,7 @@ describe("a game's own contacts", () => {
 
 describe('which contacts there are', () => {
   it('[C10] links come first, then shapes, then generators, each in the order of addition, discs by the lower slot', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     world.addContactGenerator({ addContacts: (_, contacts) => contacts.add(3, -1, 0, 1, -1, 0) });
     world.addContactGenerator(new DiscContacts());
     const discs = [0, 1, 2, 3].map((i) => world.addParticle({ x: i * 0.19, y: 0.1, radius: 0.1 }));
@@ -128,7 +128,7 @@ describe('which contacts there are', () => {
   });
 
   it('[C10] particles that a link joins do not collide, until the link goes', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     world.addContactGenerator(new DiscContacts());
     const a = world.addParticle({ x: 0, y: 0, radius: 1 });
     const b = world.addParticle({ x: 1, y: 0, radius: 1 });
@@ -147,7 +147,7 @@ describe('which contacts there are', () => {
       [12345.6, -98765.4],
     ]) {
       // biome-ignore format: one line
-      const world = new World();
+      const world = new World({ resolver: severity() });
       world.addContactGenerator(new DiscContacts());
       const discs: { x: number; y: number; radius: number }[] = [];
       for (let i = 0; i < 200; i++) {
@@ -168,7 +168,7 @@ describe('which contacts there are', () => {
   });
 
   it('[C10] a few discs much larger than the others are found with all that they touch, in the same order', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     world.addContactGenerator(new DiscContacts());
     const discs = Array.from({ length: 300 }, (_, i) => ({
       x: ((i * 37) % 100) * 0.1,
@@ -192,7 +192,7 @@ describe('which contacts there are', () => {
   });
 
   it('[C11] at the limit the rest is left out, and counted', () => {
-    const world = new World({ contactLimit: 2 });
+    const world = new World({ resolver: severity(), contactLimit: 2 });
     world.addContactGenerator(new DiscContacts());
     for (let i = 0; i < 5; i++) world.addParticle({ x: i * 0.15, y: 0, radius: 0.1 });
     world.step(DT);
@@ -214,7 +214,7 @@ describe('events', () => {
   }
 
   it('[C12] a bounce is one begin, with how hard it was, and one end', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const floor = world.addShape(new HalfPlane({ restitution: 0.5 }));
     const ball = world.addParticle({ x: 0, y: 0.15, vy: -3, radius: 0.1, mass: 2 });
     const began: ContactEvent[] = [];
@@ -228,7 +228,7 @@ describe('events', () => {
   });
 
   it('[C12] what rests begins once and does not end', () => {
-    const world = new World({ gravity: { x: 0, y: -9.81 } });
+    const world = new World({ resolver: severity(), gravity: { x: 0, y: -9.81 } });
     world.addShape(new HalfPlane({ restitution: 0.5 }));
     world.addContactGenerator(new DiscContacts());
     world.addParticle({ x: 0, y: 0.1, radius: 0.1 });
@@ -239,7 +239,7 @@ describe('events', () => {
   });
 
   it('[C12] all that began comes before all that ended, each in the order in which it was found', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     world.addContactGenerator(new DiscContacts());
     world.addParticle({ x: 0, y: 0, radius: 0.1 });
     const left = world.addParticle({ x: 0.2, y: 0, radius: 0.1 });
@@ -253,7 +253,7 @@ describe('events', () => {
   });
 
   it('[C12] particles can be removed in a listener: the contact ends in the next step, once', () => {
-    const world = new World({ gravity: { x: 0, y: -9.81 } });
+    const world = new World({ resolver: severity(), gravity: { x: 0, y: -9.81 } });
     world.addShape(new HalfPlane());
     world.addContactGenerator(new DiscContacts());
     for (let i = 0; i < 4; i++) world.addParticle({ x: i * 0.19, y: 0.1, radius: 0.1 });
@@ -272,7 +272,7 @@ describe('events', () => {
   });
 
   it('[C12] a new particle in the slot of a removed one begins anew, and the old one ends', () => {
-    const world = new World({ gravity: { x: 0, y: -9.81 } });
+    const world = new World({ resolver: severity(), gravity: { x: 0, y: -9.81 } });
     world.addShape(new HalfPlane());
     const old = world.addParticle({ x: 0, y: 0.1, radius: 0.1 });
     const told: string[] = [];

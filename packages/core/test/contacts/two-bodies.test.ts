@@ -27,7 +27,7 @@ function pair(options: {
   turn: number;
 }) {
   const { ma, mb, e, va, vb, turn } = options;
-  const world = new World();
+  const world = new World({ resolver: severity() });
   world.addContactGenerator(new DiscContacts());
   const far = { x: 0.3 * Math.cos(turn), y: 0.3 * Math.sin(turn) };
   const a = world.addParticle({ x: 0, y: 0, vx: va[0], vy: va[1], mass: ma, radius: 0.1, restitution: e });
@@ -91,7 +91,7 @@ describe('two bodies that hit', () => {
       [0.7, 0.2],
     ]) {
       // biome-ignore format: one line
-      const world = new World();
+      const world = new World({ resolver: severity() });
       world.addContactGenerator(new DiscContacts());
       const a = world.addParticle({ x: 0, y: 5, vx: 1, radius: 0.1, restitution: one });
       const b = world.addParticle({ x: 0.2, y: 5, radius: 0.1, restitution: other });
@@ -146,7 +146,7 @@ describe('two that are in each other', () => {
   it('[C7] move apart along the normal, both ways, in inverse proportion to mass, until they touch', () => {
     for (const ma of MASSES) {
       for (const mb of MASSES) {
-        const world = new World();
+        const world = new World({ resolver: severity() });
         world.addContactGenerator(new DiscContacts());
         const a = world.addParticle({ x: 1, y: 1, mass: ma, radius: 0.1 });
         const b = world.addParticle({ x: 1.03, y: 1.04, mass: mb, radius: 0.1 });
@@ -163,7 +163,7 @@ describe('two that are in each other', () => {
 
   it('[C7] a small box sunk into a planet: only the box moves, whether the planet is pinned or scenery', () => {
     for (const scenery of [true, false]) {
-      const world = new World();
+      const world = new World({ resolver: severity() });
       world.addContactGenerator(new DiscContacts());
       const planet = scenery ? undefined : world.addParticle({ x: 0, y: 0, radius: 5, mass: Infinity });
       if (scenery) world.addShape(new Disc({ centre: { x: 0, y: 0 }, radius: 5 }));
@@ -176,7 +176,7 @@ describe('two that are in each other', () => {
   });
 
   it('[C7] two of one centre are parted too', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     world.addContactGenerator(new DiscContacts());
     const a = world.addParticle({ x: 0.3, y: 0.3, radius: 0.1 });
     const b = world.addParticle({ x: 0.3, y: 0.3, radius: 0.1 });
@@ -185,7 +185,7 @@ describe('two that are in each other', () => {
   });
 
   it('[C7] two pinned ones, or points, do not touch; a pinned one that moves pushes', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     world.addContactGenerator(new DiscContacts());
     world.addParticle({ x: 0, y: 0, radius: 1, mass: Infinity });
     world.addParticle({ x: 0.5, y: 0, radius: 1, mass: Infinity });

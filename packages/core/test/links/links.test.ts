@@ -23,7 +23,7 @@ function distance(a: { x: number; y: number }, b: { x: number; y: number }): num
 describe('a cable', () => {
   it('[L1] that is slack does nothing, bit for bit', () => {
     const worlds = [true, false].map((linked) => {
-      const world = new World({ gravity: GRAVITY });
+      const world = new World({ resolver: severity(), gravity: GRAVITY });
       const a = world.addParticle({ x: 0, y: 0, vx: 1 });
       const b = world.addParticle({ x: 1, y: 0, vx: -1, vy: 1 });
       if (linked) world.addLink(cable(a, b, { maxLength: 5 }));
@@ -42,7 +42,7 @@ describe('a cable', () => {
       [2, Infinity],
     ]) {
       // biome-ignore format: one line
-      const world = new World();
+      const world = new World({ resolver: severity() });
       const a = world.addParticle({ x: 0, y: 0, mass: ma, vx: -4, vy: 3 });
       const b = world.addParticle({ x: 2, y: 0, mass: mb, vy: 3 });
       world.addLink(cable(a, b, { maxLength: 2, restitution }));
@@ -56,7 +56,7 @@ describe('a cable', () => {
   });
 
   it('[L1] from a fixed point never gets longer than it is, and hangs straight down in the end', () => {
-    const world = new World({ gravity: GRAVITY });
+    const world = new World({ resolver: severity(), gravity: GRAVITY });
     const bob = world.addParticle({ x: 0.5, y: 4, damping: 0.5 });
     const link = world.addLink(cable({ x: 0, y: 4 }, bob, { maxLength: 1 }));
     for (let i = 0; i < 1200; i++) {
@@ -76,7 +76,7 @@ describe('a rod', () => {
       [3, Infinity],
     ]) {
       // biome-ignore format: one line
-      const world = new World();
+      const world = new World({ resolver: severity() });
       const a = world.addParticle({ x: 0, y: 0, mass: ma });
       const b = world.addParticle({ x: 0.6, y: 0.8, mass: mb });
       world.addLink(rod(a, b));
@@ -93,7 +93,7 @@ describe('a rod', () => {
   });
 
   it('[L2] offers both of its contacts each time, so that it does not vibrate: one at rest stays, bit for bit', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const a = world.addParticle({ x: 0, y: 0 });
     world.addLink(rod(a, world.addParticle({ x: 0.3, y: 0.7 })));
     const before = hashOf(world);
@@ -108,7 +108,7 @@ describe('a rod', () => {
       (point, bob) => [bob, point],
     ];
     const hashes = ends.map((order) => {
-      const world = new World({ gravity: GRAVITY });
+      const world = new World({ resolver: severity(), gravity: GRAVITY });
       const bob = world.addParticle({ x: 1, y: 0 });
       world.addLink(rod(...order({ x: 0, y: 0 }, bob)));
       run(world, 100);
@@ -119,7 +119,7 @@ describe('a rod', () => {
   });
 
   it('[L3] of length 0 is an error: ends on one place define no direction to hold', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const a = world.addParticle({ x: 1, y: 1 });
     const b = world.addParticle({ x: 1, y: 1 });
     expect(() => rod(a, b)).toThrow(
@@ -129,7 +129,7 @@ describe('a rod', () => {
   });
 
   it('[L3] whose ends came to one place pushes them apart again', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const a = world.addParticle({ x: 0, y: 0 });
     const b = world.addParticle({ x: 1, y: 0 });
     world.addLink(rod(a, b));
@@ -139,7 +139,7 @@ describe('a rod', () => {
   });
 
   it('[L2] can be wound in', () => {
-    const world = new World({ gravity: GRAVITY });
+    const world = new World({ resolver: severity(), gravity: GRAVITY });
     const bob = world.addParticle({ x: 0, y: -2 });
     const link = world.addLink(rod({ x: 0, y: 0 }, bob));
     for (let length = 2; length > 0.5; length -= 0.01) {
@@ -185,7 +185,7 @@ describe('a link that breaks', () => {
   });
 
   it('[L4] of several the links break in their order, and the world can be changed on hearing of it', () => {
-    const world = new World({ gravity: GRAVITY });
+    const world = new World({ resolver: severity(), gravity: GRAVITY });
     const bobs = [0, 1, 2].map((x) => world.addParticle({ x, y: 0, mass: 10 }));
     const links = bobs.map((bob) => world.addLink(rod(bob, { x: bob.x, y: 1 }, { breakForce: 1 })));
     const told: Link[] = [];
@@ -201,7 +201,7 @@ describe('a link that breaks', () => {
 
 describe('what hangs on a particle', () => {
   it('[L5] leaves with it, also when its slot is used again', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     world.addContactGenerator(new DiscContacts());
     const [a, b, c] = [0, 1, 2].map((x) => world.addParticle({ x, y: 0, radius: 0.6 }));
     const links = [rod(a, b), rod(b, c), rod(a, c)].map((link) => world.addLink(link));
@@ -222,7 +222,7 @@ describe('what hangs on a particle', () => {
 
   it('[L5] and takes no other link with it', () => {
     const random = new Random(11);
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const particles = Array.from({ length: 30 }, (_, i) => world.addParticle({ x: i, y: 0 }));
     let links: Link[] = [];
     for (let i = 0; i < 100; i++) {
@@ -254,7 +254,7 @@ describe("a game's own link", () => {
         contacts.add(this.a.slot, -1, 0, -1, y[this.a.slot] - this.b.y, 0);
       }
     }
-    const world = new World({ gravity: GRAVITY });
+    const world = new World({ resolver: severity(), gravity: GRAVITY });
     const bead = world.addParticle({ x: 0, y: 2, vx: 3 });
     world.addLink(new Rail(bead));
     run(world, 60);
@@ -265,7 +265,7 @@ describe("a game's own link", () => {
   });
 
   it('[L6] that asks to break, breaks', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const a = world.addParticle({ x: 0, y: 0 });
     let asked = 0;
     const b = { x: 0, y: 0 };
@@ -281,7 +281,7 @@ describe("a game's own link", () => {
   });
 
   it('[L6] that fails leaves the world as it was', () => {
-    const world = new World({ gravity: GRAVITY });
+    const world = new World({ resolver: severity(), gravity: GRAVITY });
     const a = world.addParticle({ x: 0, y: 0, vx: 1 });
     const addContacts = () => {
       throw new Error('a mistake in the game');
@@ -293,7 +293,7 @@ describe("a game's own link", () => {
 
 describe('what makes no sense', () => {
   it('[L7] says what it is', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const a = world.addParticle({ x: 0, y: 0 });
     const b = world.addParticle({ x: 1, y: 0 });
     const gone = world.addParticle({ x: 2, y: 0 });
@@ -311,7 +311,10 @@ describe('what makes no sense', () => {
       [() => rod(a, b).setLength(2, 1), 'DistanceLink.setLength'],
       [() => world.addLink({ addContacts: () => undefined } as unknown as Link), "World.addLink: the link's a"],
       [() => world.addLink(undefined as never), 'World.addLink'],
-      [() => world.addLink(rod(new World().addParticle({ x: 0, y: 0 }), { x: 1, y: 1 })), 'World.addLink'],
+      [
+        () => world.addLink(rod(new World({ resolver: severity() }).addParticle({ x: 0, y: 0 }), { x: 1, y: 1 })),
+        'World.addLink',
+      ],
     ];
     for (const [act, part] of cases) expect(thrownBy(act).message).toContain(part);
     const link = world.addLink(rod(a, b));

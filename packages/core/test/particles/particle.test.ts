@@ -134,6 +134,8 @@ describe('a removed particle', () => {
     ...numbers.map((name): [string, (p: Particle) => unknown] => [name, (p) => (p[name] = 1)]),
     ['applyForce', (p) => p.applyForce(1, 1)],
     ['applyImpulse', (p) => p.applyImpulse(1, 1)],
+    ['asleep', (p) => p.asleep],
+    ['wake', (p) => p.wake()],
     ['remove', (p) => p.remove()],
   ];
 

@@ -19,6 +19,7 @@ import {
   Segment,
   type Shape,
   Springs,
+  severity,
   spring,
   travellingWave,
   World,
@@ -60,14 +61,14 @@ function colors(list: PathList): string[] {
 
 describe('links', () => {
   it('are drawn between the last two steps', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     world.addLink(rod(world.addParticle({ x: 0, y: 0, vx: 2 }), world.addParticle({ x: 4, y: 0, vx: 2 })));
     world.step(1);
     expect(path(draw(world, {}, 0.5).below, 0)).toEqual([110, 50, 150, 50]);
   });
 
   it('are looked up by kind', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const [a, b, c] = [0, 1, 2].map((x) => world.addParticle({ x, y: 0 }));
     world.addLink(rod(a, b));
     world.addLink(cable(b, c));
@@ -82,7 +83,7 @@ describe('links', () => {
   });
 
   it('hang where they are slack, and not where they are taut', () => {
-    const world = new World({ gravity: { x: 0, y: -9.81 } });
+    const world = new World({ resolver: severity(), gravity: { x: 0, y: -9.81 } });
     const bob = world.addParticle({ x: 4, y: 0 });
     const line = world.addLink(cable({ x: 0, y: 0 }, bob));
     expect(path(draw(world).below, 0).length).toBe(4);
@@ -93,7 +94,7 @@ describe('links', () => {
   });
 
   it('out of sight cost nothing', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     world.addLink(rod(world.addParticle({ x: 50, y: 0 }), world.addParticle({ x: 54, y: 0 })));
     world.addLink(rod(world.addParticle({ x: -50, y: 0 }), world.addParticle({ x: 54, y: 0 })));
     expect(draw(world).below.count).toBe(1);
@@ -102,7 +103,7 @@ describe('links', () => {
 
 describe('springs', () => {
   it('are found in a batch, alone, and within what limits them', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const bob = world.addParticle({ x: 0, y: 0 });
     const batch = world.addForce(new Springs());
     batch.add({ x: 0, y: 3 }, bob, { stiffness: 1 });
@@ -115,7 +116,7 @@ describe('springs', () => {
   });
 
   it('are gone with their particle at once', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const bob = world.addParticle({ x: 0, y: 0 });
     world.addForce(new Springs()).add({ x: 0, y: 3 }, bob, { stiffness: 1 });
     bob.remove();
@@ -124,7 +125,7 @@ describe('springs', () => {
 
   it('are coloured by strain, force or stiffness', () => {
     const color = (by: 'strain' | 'force' | 'stiffness', from: number, to: number): string => {
-      const world = new World();
+      const world = new World({ resolver: severity() });
       const bob = world.addParticle({ x: 0, y: 0 });
       world.addForce(new Springs()).add({ x: 0, y: 3 }, bob, { stiffness: 5, restLength: 2 });
       const ramp = { by, from, to, colors: ['#000000', '#ffffff'] };
@@ -140,7 +141,7 @@ describe('springs', () => {
 
   it('as bungees grow thinner as they are stretched', () => {
     const width = (length: number): number => {
-      const world = new World();
+      const world = new World({ resolver: severity() });
       const bob = world.addParticle({ x: 0, y: 3 - length });
       world.addForce(new Bungees()).add({ x: 0, y: 3 }, bob, { stiffness: 5, restLength: 2 });
       return draw(world, { bungees: { width: 4 } }).below.paints[0].width;
@@ -154,7 +155,7 @@ describe('springs', () => {
 
 describe('pins', () => {
   it('mark fixed points, and particles that cannot move, once', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const post = world.addParticle({ x: 0, y: 2, mass: Infinity });
     const bob = world.addParticle({ x: 0, y: 0 });
     world.addLink(rod(post, bob));
@@ -168,7 +169,7 @@ describe('pins', () => {
 
 describe('shapes', () => {
   const only = (shape: Shape, style: Style['shapes'] = { hatch: null }): PathList => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     world.addShape(shape);
     return draw(world, { shapes: style }).ground;
   };
@@ -222,7 +223,7 @@ describe('shapes', () => {
   });
 
   it('are drawn anew only when the camera or they have changed', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     world.addShape(new HalfPlane());
     const { camera, sketch, draw } = view(world);
     draw();
@@ -243,18 +244,18 @@ describe('shapes', () => {
 
 describe('liquids', () => {
   it('fill the view below their level, or the box that they are limited to', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     world.addForce(new Buoyancy({ level: -1 }), []);
     const { ground } = draw(world);
     expect(kinds(ground)).toEqual(['strip', 'line']);
     expect(path(ground, 0)).toEqual([-8, 60, -8, 108, 208, 60, 208, 108]);
-    const tank = new World();
+    const tank = new World({ resolver: severity() });
     tank.addForce(inRegion(new Buoyancy({ level: 1 }), insideBox({ minX: -2, maxX: 3, minY: -4 })), []);
     expect(path(draw(tank).ground, 0)).toEqual([80, 40, 80, 90, 130, 40, 130, 90]);
   });
 
   it('that wave are looked at all along, at the time that is drawn', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     world.addForce(new Buoyancy({ level: travellingWave({ amplitude: 1, length: 8, speed: 2 }) }), []);
     const { draw } = view(world);
     draw();
@@ -269,14 +270,14 @@ describe('liquids', () => {
   });
 
   it('are coloured by density', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     world.addForce(new Buoyancy({ density: 800 }), []);
     const ramp = { by: 'density', from: 900, to: 1000, colors: ['#112233', '#ffffff'] } as const;
     expect(colors(draw(world, { liquids: { colorBy: ramp } }).ground)).toEqual(['#112233', '#112233']);
   });
 
   it('show a particle that has a hull as the box that floats', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const water = world.addForce(new Buoyancy(), []);
     const float = world.addParticle({ x: 1, y: 0, radius: 3 });
     water.setHull(float, { volume: 2, maxDepth: 0.5 });
@@ -289,7 +290,7 @@ describe('liquids', () => {
   });
 
   it('that stand still are drawn once', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const water = world.addForce(new Buoyancy(), []);
     const { sketch, draw } = view(world);
     for (let n = 0; n < 3; n++) {
@@ -305,7 +306,7 @@ describe('liquids', () => {
 
 describe('bodies', () => {
   const boxed = (style: Style = {}) => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const body = world.addBody(box({ x: 0, y: 0, width: 4, height: 2, radius: 0.5, angle: Math.PI / 2, group: 3 }));
     return { world, body, ...view(world, { groups: { 3: { fill: '#123456' } }, ...style }) };
   };
@@ -352,7 +353,7 @@ describe('bodies', () => {
 
 describe('arrows and contacts', () => {
   const falling = (style: Style): Sketch => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     world.addForce(new Gravity({ x: 0, y: -10 }));
     world.addForce(new ForceProbe());
     world.addParticle({ x: 0, y: 0, mass: 2, vx: 3 });
@@ -386,14 +387,14 @@ describe('arrows and contacts', () => {
     const [x0, y0, x1, y1] = path(above, 0);
     expect([x0, Math.round(y0)]).toEqual([140, 60]);
     expect([x1, Math.round(y1)]).toEqual([140, 46]);
-    const world = new World();
+    const world = new World({ resolver: severity() });
     world.addLink(rod(world.addParticle({ x: 0, y: 0 }), world.addParticle({ x: 1, y: 0 })));
     world.step(1e-3);
     expect(draw(world, { contacts: {} }).above.count).toBe(0);
   });
 
   it('are one for each body, from its centre', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     world.addBody(box({ x: 0, y: 0, width: 2, height: 2, vx: 2, angularVelocity: 1 }));
     const { above } = draw(world, { velocities: { scale: 1 } });
     expect(kinds(above)).toEqual(['line', 'fill']);

@@ -13,7 +13,7 @@ export const OVER_RELAXATION = 1.2;
 
 /**
  * One pass over rows (projected Gauss-Seidel). An open gap may close within the small step and no more; a penetration is undone
- * softly. Friction holds up to its coefficient times the normal impulse, and then slides.
+ * softly; a hit is stopped at once. Friction holds up to its coefficient times the normal impulse, and then slides.
  * Reads the rows, x, y, inverseMass. Writes vx, vy, and the impulses of the rows.
  * @param calm - Speed along the normal below which a contact is calm. Unit: m/s.
  */
@@ -42,7 +42,8 @@ export function solveContacts(
     const wanted =
       gap > 0
         ? before - response * (speed + gap * perStep)
-        : before * kept - response * massScale * (speed + Math.max(gap * biasRate, -FASTEST_PUSH));
+        : before * kept -
+          (before > 0 ? response * massScale : response) * (speed + Math.max(gap * biasRate, -FASTEST_PUSH));
     const after = Math.max(wanted, 0);
     normal[r] = after;
     let px = (after - before) * nx;

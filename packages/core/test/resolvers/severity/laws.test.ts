@@ -29,7 +29,11 @@ describe('a disc at rest on a half-plane, restitution 0.5', () => {
       // (Dropped, it settles too, but for explicit Euler: that gains as much in the fall as the bounce takes.)
       for (const drop of name === 'explicitEuler' ? [0] : [0, 0.05]) {
         const gravity = pull === pulls[0] ? GRAVITY : { x: 0, y: 0 };
-        const world = new World({ gravity, integrator: integrators[name as keyof typeof integrators] });
+        const world = new World({
+          resolver: severity(),
+          gravity,
+          integrator: integrators[name as keyof typeof integrators],
+        });
         world.addShape(new HalfPlane({ restitution: 0.5 }));
         const ay = pull === pulls[1] ? -G : 0;
         const disc = world.addParticle({ x: 0.3, y: radius + drop, radius, mass: 3, ay });
@@ -74,7 +78,7 @@ describe('a bouncing ball at dt = 1/240', () => {
     const dt = 1 / 240;
     for (const e of [0.3, 0.5, 0.8, 0.9, 1]) {
       for (let height = 0.5; height < 10; height *= 1.37) {
-        const world = new World({ gravity: GRAVITY });
+        const world = new World({ resolver: severity(), gravity: GRAVITY });
         world.addShape(new HalfPlane({ restitution: e }));
         const ball = world.addParticle({ x: 0, y: height + 0.1, radius: 0.1 });
         let before = height;
@@ -117,7 +121,7 @@ describe('where the resolver ends', () => {
   });
 
   it('[R4] closing by no more than 10⁻⁹ m/s, or in by no more than 10⁻⁹ m, is none', () => {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     world.addShape(new HalfPlane({ restitution: 1 }));
     const still = world.addParticle({ x: 0, y: 0.1 - 0.9e-9, vy: -0.9e-9, radius: 0.1 });
     world.step(1e-3);
@@ -186,7 +190,7 @@ describe('a pendulum on a rod', () => {
     for (const length of [0.5, 1, 3]) {
       for (const degrees of [2, 10, 20, 30]) {
         const swing = (degrees * Math.PI) / 180;
-        const world = new World({ gravity: GRAVITY });
+        const world = new World({ resolver: severity(), gravity: GRAVITY });
         const bob = world.addParticle({ x: length * Math.sin(swing), y: -length * Math.cos(swing), mass: 2 });
         world.addLink(rod({ x: 0, y: 0 }, bob));
         let crossing = NaN;
@@ -215,7 +219,7 @@ describe('a pendulum on a rod', () => {
     ]) {
       // biome-ignore format: one line
       const swing = (degrees * Math.PI) / 180;
-      const world = new World({ gravity: GRAVITY });
+      const world = new World({ resolver: severity(), gravity: GRAVITY });
       const bob = world.addParticle({ x: Math.sin(swing), y: -Math.cos(swing) });
       world.addLink(rod({ x: 0, y: 0 }, bob));
       const energy = () => (bob.vx * bob.vx + bob.vy * bob.vy) / 2 + G * (bob.y + 1);
@@ -248,7 +252,7 @@ describe("Newton's cradle of five", () => {
     [3, 'cable'],
   ] as const)('[R7] %d raised on %ss: as many leave on the other side, the others stay', (raised, kind) => {
     for (const dt of [1 / 60, 1 / 240]) {
-      const world = new World({ gravity: GRAVITY });
+      const world = new World({ resolver: severity(), gravity: GRAVITY });
       world.addContactGenerator(new DiscContacts());
       const swing = (25 * Math.PI) / 180;
       const balls = [0, 0.2, 0.4, 0.6, 0.8].map((x, i) => {
