@@ -16,8 +16,11 @@ export interface Spread {
 export interface Result {
   readonly engine: string;
   readonly values: Readonly<Record<string, Spread>>;
-  /** Why there is no result, or why it does not count. */
+  /** Why it takes no part. */
+  readonly leftOut?: string;
+  /** Why there is no result. */
   readonly failure?: string;
+  /** Why the result is nobody's best. */
   readonly unsound?: string;
 }
 
@@ -33,26 +36,24 @@ export async function runCase(
   engines: readonly Engine[],
   rounds: number,
 ): Promise<Result[]> {
-  const runs = new Map<Engine, Values[]>(engines.map((engine) => [engine, []]));
-  const failures = new Map<Engine, string>();
-  for (const engine of engines) {
-    const reason = whyNot(workload, engine);
-    if (reason) failures.set(engine, reason);
-  }
+  const entries = engines.map((engine) => {
+    return { engine, leftOut: whyNot(workload, engine), runs: [] as Values[], failure: '' };
+  });
   for (let round = 0; round < rounds; round++) {
-    for (const engine of engines) {
-      if (failures.has(engine)) continue;
-      const outcome = await runInProcess(workload, which, engine);
-      if ('failure' in outcome) failures.set(engine, outcome.failure);
-      else runs.get(engine)?.push(outcome.values);
+    for (const entry of entries) {
+      if (entry.leftOut !== undefined || entry.failure) continue;
+      const outcome = await runInProcess(workload, which, entry.engine);
+      if ('failure' in outcome) entry.failure = outcome.failure;
+      else entry.runs.push(outcome.values);
     }
   }
-  return engines.map((engine) => summarize(workload, engine, runs.get(engine) ?? [], failures.get(engine)));
+  return entries.map(({ engine: { id }, leftOut, runs, failure }): Result => {
+    if (leftOut !== undefined) return { engine: id, values: {}, leftOut };
+    return failure ? { engine: id, values: {}, failure } : summarize(workload, id, runs);
+  });
 }
 
-function summarize(workload: Workload, engine: Engine, runs: readonly Values[], failure?: string): Result {
-  if (failure !== undefined || runs.length === 0)
-    return { engine: engine.id, values: {}, failure: failure ?? 'no run' };
+function summarize(workload: Workload, engine: string, runs: readonly Values[]): Result {
   const values: Record<string, Spread> = {};
   const medians: Record<string, number> = {};
   for (const name of Object.keys(workload.measures)) {
@@ -61,7 +62,7 @@ function summarize(workload: Workload, engine: Engine, runs: readonly Values[], 
     values[name] = { median: medians[name], low: Math.min(...all), high: Math.max(...all) };
   }
   const unsound = workload.unsound?.(medians);
-  return { engine: engine.id, values, ...(unsound === undefined ? {} : { unsound }) };
+  return { engine, values, ...(unsound === undefined ? {} : { unsound }) };
 }
 
 function runInProcess(workload: Workload, which: Case, engine: Engine): Promise<Outcome> {

@@ -7,7 +7,7 @@ const OWN = 'mass';
 
 /** A number with three digits that count. */
 export function format(value: number | null): string {
-  if (value === null || Number.isNaN(value)) return 'never';
+  if (value === null || Number.isNaN(value)) return '–'; // JSON has null for NaN
   if (value === 0) return '0';
   const size = Math.abs(value);
   if (size >= 1e6 || size < 1e-4) return value.toExponential(1);
@@ -30,15 +30,18 @@ export function caseTable(
 ): string {
   const names = Object.keys(measures);
   const head = names.map((name) => `${measures[name].title}${measures[name].unit && `, ${measures[name].unit}`}`);
-  const rows = results.map(({ engine, values, failure, unsound }) => {
+  const takePart = results.filter(({ leftOut }) => leftOut === undefined);
+  const rows = takePart.map(({ engine, values, failure, unsound }) => {
     if (failure !== undefined) return [engine, ...names.map(() => ''), failure];
     return [engine, ...names.map((name, i) => cell(values[name], i === 0)), unsound ?? ''];
   });
-  return table(['engine', ...head, 'remark'], rows);
+  const missing = results.flatMap(({ engine, leftOut }) => (leftOut === undefined ? [] : [`${engine} (${leftOut})`]));
+  const note = missing.length > 0 ? `\n\nLeft out: ${missing.join(', ')}.` : '';
+  return `${table(['engine', ...head, 'remark'], rows)}${note}`;
 }
 
 function cell({ median, low, high }: Spread, withSpread: boolean): string {
-  return withSpread && low !== high ? `${format(median)} (${format(low)} to ${format(high)})` : format(median);
+  return withSpread && low < high ? `${format(median)} (${format(low)} to ${format(high)})` : format(median);
 }
 
 /** The best sound peer of a measure; what is written by hand for this suite is a yardstick, not a peer. */
@@ -73,7 +76,7 @@ function targetRow(report: Report, one: CaseReport, name: string): string[] | un
   const { title, measures } = report.workloads[one.workload];
   const measure = measures[name];
   const own = one.results.find(({ engine }) => engine === OWN);
-  if (!own) return undefined;
+  if (!own || own.leftOut !== undefined) return undefined;
   const { ratio, limit } = one.targets[name];
   const value = own.values[name]?.median;
   const best = bestPeer(report, one.results, name, measure.better);
@@ -82,7 +85,7 @@ function targetRow(report: Report, one: CaseReport, name: string): string[] | un
   const checks: boolean[] = [];
   if (ratio !== undefined) {
     goals.push(`ratio ${ratio}`);
-    if (share !== undefined) checks.push(share <= ratio);
+    checks.push(share !== undefined && share <= ratio);
   }
   if (limit !== undefined) {
     goals.push(`${measure.better === 'less' ? 'at most' : 'at least'} ${limit} ${measure.unit}`.trimEnd());
@@ -92,7 +95,7 @@ function targetRow(report: Report, one: CaseReport, name: string): string[] | un
   return [
     `${title}: ${one.name}`,
     `${measure.title}${measure.unit && `, ${measure.unit}`}`,
-    own.failure ?? format(value),
+    own.failure === undefined ? format(value) : 'failed',
     best ? `${format(best.values[name].median)} (${best.engine})` : 'none',
     ratio === undefined || share === undefined ? '' : format(share),
     goals.join(', '),

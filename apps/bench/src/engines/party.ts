@@ -4,6 +4,7 @@ import type { Scene } from '../scene.ts';
 /** Pixels a metre. */
 const SCALE = 100;
 const ITERATIONS = 5;
+const CELL = 64;
 const WHITE = { r: 1, g: 1, b: 1, a: 1 };
 
 /** What is used of the package, whose own types Node's way of finding modules does not find. */
@@ -102,7 +103,7 @@ function build(party: Party, scene: Scene, effort: number): Simulation {
     render: [],
     runtime: 'cpu',
     constrainIterations: ITERATIONS * effort,
-    cellSize: 64,
+    cellSize: Math.max(CELL, Math.sqrt((width * height) / discs.length)), // its grid spans its world, empty or not
   });
   engine.setCamera(width / 2, height / 2); // its world is what the camera sees, and its y points down
   engine.setParticles(
@@ -136,7 +137,7 @@ export const party: Engine = {
   language: 'TypeScript',
   settings: [
     'its runtime for the CPU, without a display: steps are taken by a method that it keeps private',
-    '100 pixels a metre; 5 constraint iterations, its default, cells of 64 pixels, as it recommends for discs of this size',
+    '100 pixels a metre; 5 constraint iterations, its default, cells of 64 pixels, as it recommends for discs of this size, or larger where these are few',
     'links are `Joints` with their defaults; it has friction against the boundary alone',
   ],
   cannot: { crates: 'no rigid bodies', bars: 'no shapes but the box around', sleep: 'no sleep' },

@@ -10,6 +10,7 @@ export const phaserBox2d: Engine = {
   settings: [
     'the release build, `dist/PhaserBox2D.js`; 4 sub-steps and the defaults of `b2DefaultWorldDef`',
     'walls are boxes 10 m thick, links rigid distance joints, fast discs are bullets',
+    'where nothing collides discs have no shape',
   ],
   async load() {
     const b2 = await import('phaser-box2d/dist/PhaserBox2D.js');
@@ -27,7 +28,6 @@ export const phaserBox2d: Engine = {
         def.position = new b2.b2Vec2(x, y);
         b2.b2CreatePolygonShape(b2.b2CreateBody(world, def), shapeDef, b2.b2MakeBox(width / 2, height / 2));
       }
-      if (!scene.collide) shapeDef.filter.maskBits = 0;
       const discs = scene.discs.map(({ x, y, vx = 0, vy = 0, radius, mass, fixed, fast = false }) => {
         const def = b2.b2DefaultBodyDef();
         if (!fixed) def.type = b2.b2BodyType.b2_dynamicBody;
@@ -36,6 +36,10 @@ export const phaserBox2d: Engine = {
         def.linearDamping = dampingOf(scene, mass);
         def.isBullet = fast;
         const body = b2.b2CreateBody(world, def);
+        if (!scene.collide) {
+          b2.b2Body_SetMassData(body, { mass, center: new b2.b2Vec2(0, 0), rotationalInertia: 0 });
+          return body;
+        }
         shapeDef.density = mass / (Math.PI * radius * radius);
         b2.b2CreateCircleShape(body, shapeDef, new b2.b2Circle(new b2.b2Vec2(0, 0), radius));
         return body;

@@ -11,6 +11,7 @@ export const planck: Engine = {
   settings: [
     '8 velocity and 3 position iterations, the defaults of `World.step`',
     'walls are boxes 10 m thick, links rigid `DistanceJoint`s, fast discs are bullets',
+    'where nothing collides discs have no fixture',
   ],
   async load() {
     const { World, Vec2, Circle, Box, DistanceJoint } = await import('planck');
@@ -30,8 +31,8 @@ export const planck: Engine = {
           bullet: fast,
         });
         const density = mass / (Math.PI * radius * radius);
-        const filterMaskBits = scene.collide ? 0xffff : 0;
-        body.createFixture({ shape: new Circle(radius), density, friction, restitution, filterMaskBits });
+        if (scene.collide) body.createFixture({ shape: new Circle(radius), density, friction, restitution });
+        else body.setMassData({ mass, center: new Vec2(0, 0), I: 0 });
         return body;
       });
       const crates = scene.crates.map(({ x, y, size, mass }) => {

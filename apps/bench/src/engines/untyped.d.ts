@@ -18,7 +18,6 @@ declare module 'phaser-box2d/dist/PhaserBox2D.js' {
     friction: number;
     restitution: number;
     density: number;
-    filter: { maskBits: number };
   }
   interface BodyDef {
     type: number;
@@ -31,6 +30,11 @@ declare module 'phaser-box2d/dist/PhaserBox2D.js' {
     bodyIdA: B2Body;
     bodyIdB: B2Body;
     length: number;
+  }
+  interface MassData {
+    mass: number;
+    center: B2Vector;
+    rotationalInertia: number;
   }
   interface World {
     readonly index1: number;
@@ -53,6 +57,7 @@ declare module 'phaser-box2d/dist/PhaserBox2D.js' {
   export function b2Body_GetPosition(body: B2Body): B2Vector;
   export function b2Body_GetLinearVelocity(body: B2Body): B2Vector;
   export function b2Body_GetRotation(body: B2Body): { c: number; s: number };
+  export function b2Body_SetMassData(body: B2Body, data: MassData): void;
   export function b2Body_ApplyForceToCenter(body: B2Body, force: B2Vector, wake: boolean): void;
 }
 

@@ -9,8 +9,8 @@ const TIMED = 300;
 export const asleep: Workload = {
   id: 'asleep',
   title: 'Pile of discs, asleep',
-  about: `The same pile, where what rests may sleep. Asleep after: the time from which on no position changes by a single bit, within 10 s.
-The time is the median of 300 steps after that.`,
+  about: `The same pile, where what rests may sleep. Asleep after: the time from which on no position changes by a single bit, within 10 s; a
+dash if there is none. The time is the median of 300 steps after that.`,
   needs: ['collide', 'sleep'],
   measures: {
     step: { title: 'step', unit: 'µs', better: 'less', target: { limit: 2 } },

@@ -1,5 +1,5 @@
-import { Random } from '@mass/core';
 import { crateQualityOf } from '../quality.ts';
+import { randomBetween } from '../random.ts';
 import { type Crate, makeScene, type Scene } from '../scene.ts';
 import { median } from '../statistics.ts';
 import type { Workload } from '../workload.ts';
@@ -9,11 +9,11 @@ const STEPS = 600;
 const TIMED = 240;
 
 function cratesScene(n: number): Scene {
-  const random = new Random(2);
+  const between = randomBetween(2);
   const columns = Math.ceil(Math.sqrt(n));
   const pitch = 1.3 * SIZE;
   const crates = Array.from({ length: n }, (_, i): Crate => {
-    const x = ((i % columns) + 0.5) * pitch + random.between(-0.05, 0.05);
+    const x = ((i % columns) + 0.5) * pitch + between(-0.05, 0.05);
     return { x, y: (Math.floor(i / columns) + 0.5) * 1.2 * pitch, size: SIZE, mass: 1 };
   });
   const container = { left: 0, right: columns * pitch, floor: 0 };

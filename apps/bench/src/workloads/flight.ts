@@ -30,8 +30,8 @@ change of height, which should be alike.`,
   cases: [
     { name: '10 000', n: 10_000, by: 'engine', quick: true, targets: { particle: { limit: 6 } } },
     { name: '100 000', n: 100_000, by: 'engine', targets: { particle: { limit: 6 } } },
-    { name: '10 000, own force', n: 10_000, by: 'function', quick: true, targets: { particle: { limit: 15 } } },
-    { name: '100 000, own force', n: 100_000, by: 'function', targets: { particle: { limit: 15 } } },
+    { name: '10 000 by function', n: 10_000, by: 'function', quick: true, targets: { particle: { limit: 15 } } },
+    { name: '100 000 by function', n: 100_000, by: 'function', targets: { particle: { limit: 15 } } },
   ],
   run({ build, time }, { n, by }) {
     const scene = flightScene(n, by);

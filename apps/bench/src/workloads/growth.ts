@@ -28,7 +28,7 @@ export const growth: Workload<GrowthCase> = {
   id: 'growth',
   title: 'Time per disc against their number',
   about: `Piles of discs, all of 20 rows, ever wider: the work grows with the number and nothing else does. Median of the steps from 3 s to 4 s,
-over the number of discs; all sizes in one process, one after the other. "never": it would have taken too long.`,
+over the number of discs; all sizes in one process, one after the other. A dash: it would have taken too long.`,
   needs: ['collide'],
   measures: {
     ...Object.fromEntries(perSize),

@@ -1,5 +1,5 @@
-import { Random } from '@mass/core';
 import { distanceBetween, overlapsOf } from '../quality.ts';
+import { randomBetween } from '../random.ts';
 import { type Disc, makeScene, type Scene } from '../scene.ts';
 import { mean, median, quantile } from '../statistics.ts';
 import type { Workload } from '../workload.ts';
@@ -14,12 +14,12 @@ const STILL = 0.01;
 
 /** Discs in loose rows over the floor of a box, about as high as wide when they have fallen, or so many rows as given. */
 export function pileScene(n: number, parts: Partial<Scene> = {}, rows: number = Math.ceil(Math.sqrt(n))): Scene {
-  const random = new Random(1);
+  const between = randomBetween(1);
   const columns = Math.ceil(n / rows);
   const pitch = 2.3 * RADIUS;
   const discs = Array.from({ length: n }, (_, i): Disc => {
-    const radius = RADIUS * random.between(0.9, 1.1);
-    const x = ((i % columns) + 0.5) * pitch + random.between(-0.02, 0.02);
+    const radius = RADIUS * between(0.9, 1.1);
+    const x = ((i % columns) + 0.5) * pitch + between(-0.02, 0.02);
     const y = (Math.floor(i / columns) + 0.5) * 1.3 * pitch;
     return { x, y, radius, mass: (radius / RADIUS) ** 2 };
   });
