@@ -17,6 +17,10 @@ export class EdgeBounds {
   maxY: Float64Array = new Float64Array(0);
   /** Which way a ring goes round: 1 counter-clockwise, -1 clockwise. */
   turn: Float64Array = new Float64Array(0);
+  /** How far the farthest-reaching corner reaches. Unit: m. */
+  widest: Float64Array = new Float64Array(0);
+  /** 1 where a ring is convex. */
+  convex: Uint8Array = new Uint8Array(0);
   /** 1 where no corner of the hull can move. */
   still: Uint8Array = new Uint8Array(0);
 
@@ -44,6 +48,7 @@ export class EdgeBounds {
     let minY = Infinity;
     let maxX = -Infinity;
     let maxY = -Infinity;
+    let widest = 0;
     let area = 0;
     let still = 1;
     for (let k = hulls.first[h]; k < last; k++) {
@@ -51,6 +56,7 @@ export class EdgeBounds {
       const b = end[k];
       for (let s = a; ; s = b) {
         const r = reach[s];
+        if (r > widest) widest = r;
         if (x[s] - r < minX) minX = x[s] - r;
         if (x[s] + r > maxX) maxX = x[s] + r;
         if (y[s] - r < minY) minY = y[s] - r;
@@ -65,7 +71,9 @@ export class EdgeBounds {
     this.minY[h] = minY - early;
     this.maxX[h] = maxX + early;
     this.maxY[h] = maxY + early;
+    this.widest[h] = widest;
     this.turn[h] = area < 0 ? -1 : 1;
+    this.convex[h] = ring && isConvex(x, y, start, hulls.first[h], last, this.turn[h]) ? 1 : 0;
     this.still[h] = still;
   }
 
@@ -75,6 +83,28 @@ export class EdgeBounds {
     this.maxX = new Float64Array(count);
     this.maxY = new Float64Array(count);
     this.turn = new Float64Array(count);
+    this.widest = new Float64Array(count);
+    this.convex = new Uint8Array(count);
     this.still = new Uint8Array(count);
   }
+}
+
+/** Whether a ring turns the same way at each of its corners. */
+function isConvex(
+  x: Float64Array,
+  y: Float64Array,
+  start: Int32Array,
+  first: number,
+  last: number,
+  turn: number,
+): boolean {
+  let a = start[last - 2];
+  let b = start[last - 1];
+  for (let k = first; k < last; k++) {
+    const c = start[k];
+    if (turn * ((x[b] - x[a]) * (y[c] - y[b]) - (y[b] - y[a]) * (x[c] - x[b])) < 0) return false;
+    a = b;
+    b = c;
+  }
+  return true;
 }

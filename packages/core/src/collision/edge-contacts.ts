@@ -84,11 +84,15 @@ export class EdgeContacts implements ContactGenerator {
     const { first, hull } = this.#pairs;
     const { list } = this.#touches;
     for (let i = 0; i < count; i++) {
-      const r = reach[i];
       list.count = 0;
+      if (first[i] === first[i + 1]) continue;
+      const left = x[i] - reach[i];
+      const right = x[i] + reach[i];
+      const bottom = y[i] - reach[i];
+      const top = y[i] + reach[i];
       for (let n = first[i]; n < first[i + 1]; n++) {
         const h = hull[n];
-        if (x[i] + r < minX[h] || x[i] - r > maxX[h] || y[i] + r < minY[h] || y[i] - r > maxY[h]) continue;
+        if (right < minX[h] || left > maxX[h] || top < minY[h] || bottom > maxY[h]) continue;
         if (still[h] === 1 && (inverseMass[i] === 0 || asleep[i] === 1)) continue;
         this.#touches.find(i, h);
       }

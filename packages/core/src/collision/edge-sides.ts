@@ -30,10 +30,14 @@ export class EdgeSides {
     this.#back = back;
   }
 
-  /** The edge by which a particle leaves a ring that it is in, or went through in this step; `NONE` where it is outside. */
-  wayOut(p: number, h: number): number {
+  /**
+   * The edge by which a particle leaves a ring that it is in, or went through in this step; `NONE` where it is outside.
+   * @param inside - Whether it is known to be inside; in a ring that is not convex that is found here.
+   */
+  wayOut(p: number, h: number, inside: boolean): number {
     const through = this.#back > 0 ? this.#entered(p, h) : NONE;
-    return through === NONE && this.#isInside(p, h) ? this.#shortestWayOut(p, h) : through;
+    if (through !== NONE) return through;
+    return inside || (this.#bounds.convex[h] === 0 && this.#isInside(p, h)) ? this.#shortestWayOut(p, h) : NONE;
   }
 
   /** Whether a particle's centre is inside a ring: whether a ray from it crosses an odd number of edges. */

@@ -10,6 +10,9 @@ import { timeOfTouch } from './swept-discs.ts';
 /** How far beyond the ends of an edge a point may touch it, as a share of the edge: two equal boxes have corner on corner. */
 const ROUNDING = 1e-6;
 
+/** A convex ring and a particle are out of each other's reach. */
+const APART = -1;
+
 /**
  * Where a particle touches the edges of a hull. An edge is as thick as the thinner of its ends; beyond an end it is round, and there a
  * particle touches the end's disc. What will touch within the time that the contacts look ahead is taken as it will then be, and
@@ -21,6 +24,8 @@ export class EdgeTouches {
   readonly #bounds: EdgeBounds;
   readonly #sides: EdgeSides;
   #particles!: ParticleArrays;
+  /** Edges of a ring, each in front of which the particle is. */
+  #facing = new Int32Array(16);
   #lookAhead = 0;
   #margin = 0;
 
@@ -36,35 +41,68 @@ export class EdgeTouches {
     this.#lookAhead = lookAhead;
     this.#sides.begin(particles, dt - lookAhead);
     this.#margin = margin;
+    if (this.#facing.length < this.#table.edgeCount) this.#facing = new Int32Array(this.#table.edgeCount * 2);
   }
 
   /** Lists where a particle touches a hull. Reads x, y, vx, vy, radius. */
   find(p: number, h: number): void {
     const { first, ring } = this.#table.hulls;
     if (ring[h] === 0) {
-      this.#touchEdge(p, first[h], this.#sides.sideOf(p, first[h]), false);
-    } else {
-      const out = this.#sides.wayOut(p, h);
-      if (out !== NONE) {
-        this.#push(p, out, this.#bounds.turn[h]);
-        return;
-      }
-      for (let k = first[h]; k < first[h + 1]; k++) this.#touchEdge(p, k, this.#bounds.turn[h], true);
+      this.#touchEdge(p, first[h], this.#sides.sideOf(p, first[h]));
+      this.#touchEnds(p, first[h]);
+      return;
     }
+    const front = this.#faces(p, h);
+    if (front === APART) return;
+    const out = this.#sides.wayOut(p, h, front === 0 && this.#bounds.convex[h] === 1);
+    if (out !== NONE) {
+      this.#push(p, out, this.#bounds.turn[h]);
+      return;
+    }
+    for (let f = 0; f < front; f++) {
+      this.#touchEdge(p, this.#facing[f], this.#bounds.turn[h]);
+      this.#touchEnds(p, this.#facing[f]);
+    }
+  }
+
+  /**
+   * Finds the edges of a ring in front of which a particle is. Most pairs end here: where one of them parts a convex ring from the
+   * particle, out of reach. Writes `facing`. Returns how many there are, or `APART`.
+   */
+  #faces(p: number, h: number): number {
+    const { x, y } = this.#particles;
     const { start, end } = this.#table.edges;
-    const { home } = this.#table.slots;
-    for (let k = first[h]; k < first[h + 1]; k++) {
-      if (home[start[k]] === k) this.#touchEnd(p, start[k]);
-      if (home[end[k]] === k) this.#touchEnd(p, end[k]);
+    const facing = this.#facing;
+    const last = this.#table.hulls.first[h + 1];
+    const side = this.#bounds.turn[h];
+    const limit = this.#bounds.convex[h] === 1 ? this.#bounds.reach[p] + this.#bounds.widest[h] : Infinity;
+    const px = x[p];
+    const py = y[p];
+    let count = 0;
+    for (let k = this.#table.hulls.first[h]; k < last; k++) {
+      const bx = x[start[k]];
+      const by = y[start[k]];
+      const ex = x[end[k]] - bx;
+      const ey = y[end[k]] - by;
+      const area = side * ((px - bx) * ey - (py - by) * ex);
+      if (!(area >= 0)) continue;
+      if (area * area > limit * limit * (ex * ex + ey * ey)) return APART;
+      facing[count++] = k;
     }
+    return count;
+  }
+
+  #touchEnds(p: number, k: number): void {
+    const { start, end } = this.#table.edges;
+    this.#touchEnd(p, start[k]);
+    this.#touchEnd(p, end[k]);
   }
 
   /**
    * Lists a touch between the ends of an edge.
    * @param side - 1 where the particle belongs to the right of the edge, -1 to the left.
-   * @param ring - Whether the other side is the inside of a ring, where others touch.
    */
-  #touchEdge(p: number, k: number, side: number, ring: boolean): void {
+  #touchEdge(p: number, k: number, side: number): void {
     const { x, y, vx, vy, radius } = this.#particles;
     const b = this.#table.edges.start[k];
     const e = this.#table.edges.end[k];
@@ -74,7 +112,10 @@ export class EdgeTouches {
     const px = x[p] - x[b];
     const py = y[p] - y[b];
     const area = side * (px * ey - py * ex);
-    if (area < 0 && ring) return;
+    if (area < 0) {
+      this.#push(p, k, side);
+      return;
+    }
     const square = ex * ex + ey * ey;
     if (square === 0) return;
     const sum = radius[p] + Math.min(radius[b], radius[e]);
