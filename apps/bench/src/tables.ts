@@ -4,6 +4,7 @@ import type { Result, Spread } from './runner.ts';
 import type { Measure } from './workload.ts';
 
 const OWN = 'mass';
+const REMARK = 90;
 
 /** A number with three digits that count. */
 export function format(value: number | null): string {
@@ -32,12 +33,17 @@ export function caseTable(
   const head = names.map((name) => `${measures[name].title}${measures[name].unit && `, ${measures[name].unit}`}`);
   const takePart = results.filter(({ leftOut }) => leftOut === undefined);
   const rows = takePart.map(({ engine, values, failure, unsound }) => {
-    if (failure !== undefined) return [engine, ...names.map(() => ''), failure];
+    if (failure !== undefined) return [engine, ...names.map(() => ''), shorten(failure)];
     return [engine, ...names.map((name, i) => cell(values[name], i === 0)), unsound ?? ''];
   });
   const missing = results.flatMap(({ engine, leftOut }) => (leftOut === undefined ? [] : [`${engine} (${leftOut})`]));
   const note = missing.length > 0 ? `\n\nLeft out: ${missing.join(', ')}.` : '';
   return `${table(['engine', ...head, 'remark'], rows)}${note}`;
+}
+
+/** The first of a long message. */
+function shorten(message: string): string {
+  return message.length <= REMARK ? message : `${message.slice(0, REMARK)}…`;
 }
 
 function cell({ median, low, high }: Spread, withSpread: boolean): string {

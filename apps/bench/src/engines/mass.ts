@@ -3,11 +3,15 @@ import type { Build, Engine } from '../engine.ts';
 /** Share of a crate's size that its corners are rounded by: the radius of the corner particles, which lie that far inside. */
 const ROUNDING = 0.05;
 
+const SUB_STEPS = 4;
+
 async function load(): Promise<Build> {
-  const { Box, box, DiscContacts, Drag, forEachParticle, HalfPlane, rod, World } = await import('@mass/core');
-  return (scene) => {
+  const core = await import('@mass/core');
+  const { Box, box, DiscContacts, Drag, EdgeContacts, forEachParticle, HalfPlane, rod, substep, World } = core;
+  return (scene, effort) => {
     const { friction, restitution, container, drag } = scene;
-    const world = new World({ gravity: { x: 0, y: -scene.gravity }, capacity: scene.discs.length });
+    const resolver = substep({ subSteps: SUB_STEPS * effort, ...(scene.sleep ? {} : { sleepTime: Infinity }) });
+    const world = new World({ gravity: { x: 0, y: -scene.gravity }, resolver, capacity: scene.discs.length });
     const discs = scene.discs.map(({ x, y, vx = 0, vy = 0, radius, mass, fixed }) =>
       world.addParticle({
         ...{ x, y, vx, vy, friction, restitution },
@@ -31,7 +35,8 @@ async function load(): Promise<Build> {
     for (const { x, y, width, height } of scene.bars) {
       world.addShape(Object.assign(new Box({ centre: { x, y }, width, height }), surface));
     }
-    if (scene.collide) world.addContactGenerator(new DiscContacts());
+    if (scene.collide && discs.length > 0) world.addContactGenerator(new DiscContacts());
+    if (bodies.length > 0) world.addContactGenerator(new EdgeContacts(world));
     if (drag?.by === 'engine') world.addForce(new Drag({ k1: drag.k1 }));
     if (drag?.by === 'function') {
       world.addForce(forEachParticle((p) => p.applyForce(-drag.k1 * p.vx, -drag.k1 * p.vy)));
@@ -71,8 +76,8 @@ export const mass: Engine = {
   package: '@mass/core',
   language: 'TypeScript',
   settings: [
-    'the defaults of `new World()`; walls are `HalfPlane`, links `rod`, discs collide by `DiscContacts`',
-    'a crate is `box()`: 4 particles, 6 rods; its corners are rounded by 5 % of its size',
+    'the default resolver, `substep()`, of 4 sub-steps; walls are `HalfPlane`, links `rod`, discs collide by `DiscContacts`',
+    'a crate is `box()`: 4 particles, 6 rods; its corners are rounded by 5 % of its size; crates collide by `EdgeContacts`',
   ],
   load,
 };
