@@ -21,6 +21,8 @@ export class FoundPlaces implements SurfaceReport {
   normalY: Float64Array = new Float64Array(64);
   /** Radius that the particle counts with. Unit: m. */
   radius: Float64Array = new Float64Array(64);
+  /** Share of the restitution that counts: what is met after a turn is hit with another speed than the way began with. */
+  bounce: Float64Array = new Float64Array(64);
   /** The places in the order of the shapes, of each in the order of the slots. */
   order: Int32Array = new Int32Array(64);
   #firsts = new Int32Array(0);
@@ -45,7 +47,7 @@ export class FoundPlaces implements SurfaceReport {
   }
 
   /** Adds a place. */
-  push(distance: number, normalX: number, normalY: number): void {
+  push(distance: number, normalX: number, normalY: number, bounce = 1): void {
     if (this.count === this.slot.length) growColumns(this, this.count * 2);
     const p = this.count++;
     this.slot[p] = this.particle;
@@ -54,10 +56,11 @@ export class FoundPlaces implements SurfaceReport {
     this.normalX[p] = normalX;
     this.normalY[p] = normalY;
     this.radius[p] = this.#radius;
+    this.bounce[p] = bounce;
   }
 
   /** Adds a place unless the particle has it already. */
-  add(distance: number, normalX: number, normalY: number): void {
+  add(distance: number, normalX: number, normalY: number, bounce = 1): void {
     for (let p = this.#start; p < this.count; p++) {
       const isSame =
         Math.abs(this.distance[p] - distance) +
@@ -66,7 +69,7 @@ export class FoundPlaces implements SurfaceReport {
         SAME;
       if (isSame) return;
     }
-    this.push(distance, normalX, normalY);
+    this.push(distance, normalX, normalY, bounce);
   }
 
   /** Takes out the places of this particle that are only the corners of shapes whose flats join: of two the nearer stays. */
@@ -76,7 +79,7 @@ export class FoundPlaces implements SurfaceReport {
       for (let q = this.#start; q < this.count; q++) {
         if (q === p || shapes[q] < 0 || distance[p] < distance[q] || (distance[p] === distance[q] && p < q)) continue;
         const cosine = normalX[p] * normalX[q] + normalY[p] * normalY[q];
-        if (Math.abs(distance[q] - distance[p] * cosine) > JOINT * radius[p]) continue;
+        if (!(Math.abs(distance[q] - distance[p] * cosine) < JOINT * radius[p])) continue;
         shapes[p] = -1;
         break;
       }

@@ -138,14 +138,14 @@ export class ShapeContacts implements SurfaceReport {
     this.#free[i] = this.#distance;
     this.#held[i] = this.#isHeld ? 1 : 0;
     if (lookAhead === 0) return;
-    if (this.#isFast && !this.#isSensor) this.#way.follow(i, found, this.#wasHeld);
     this.#places.dropJoints();
+    if (this.#isFast && !this.#isSensor) this.#way.follow(i, found, this.#wasHeld);
   }
 
   /** Hands the places over as contacts, shape by shape. */
   #report(firstSource: number, { restitution, friction }: ParticleArrays): void {
     const contacts = this.#contacts;
-    const { slot, shapes, radius, distance, normalX, normalY } = this.#places;
+    const { slot, shapes, radius, distance, normalX, normalY, bounce } = this.#places;
     const count = this.#places.sort(this.#shapes.length);
     const { order } = this.#places;
     for (let n = 0; n < count; n++) {
@@ -153,7 +153,7 @@ export class ShapeContacts implements SurfaceReport {
       const i = slot[p];
       const shape = this.#shapes[shapes[p]];
       const mu = Math.sqrt(friction[i] * (shape.friction ?? 0));
-      const e = Math.max(restitution[i], shape.restitution);
+      const e = Math.max(restitution[i], shape.restitution) * bounce[p];
       contacts.currentSource = firstSource + shapes[p];
       contacts.push(i, SCENERY, normalX[p], normalY[p], radius[p] - distance[p], e, mu, shape.surfaceSpeed ?? 0);
     }

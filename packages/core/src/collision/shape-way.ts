@@ -26,8 +26,8 @@ const MOST_STEPS = 256;
 export class ShapeWay {
   readonly #index: ShapeIndex;
   readonly #places: FoundPlaces;
-  readonly #sweep: Sweep;
-  readonly #probe = new Sweep();
+  readonly #sweep = new Sweep();
+  readonly #probe: Sweep;
   readonly #walk = new SurfaceWalk();
   #shapes: readonly Shape[] = [];
   #firstSource = 0;
@@ -39,7 +39,7 @@ export class ShapeWay {
   constructor(index: ShapeIndex, places: FoundPlaces) {
     this.#index = index;
     this.#places = places;
-    this.#sweep = new Sweep(places);
+    this.#probe = new Sweep(places);
   }
 
   /**
@@ -60,7 +60,7 @@ export class ShapeWay {
    */
   follow(i: number, found: number, held: boolean): void {
     const { x, y, vx, vy, radius } = this.#particles;
-    const { lookAhead, margin } = this.#contacts;
+    const { lookAhead } = this.#contacts;
     const sweep = this.#sweep;
     sweep.held = held;
     this.#dx = vx[i] * lookAhead;
@@ -68,11 +68,11 @@ export class ShapeWay {
     this.#slideOnTouched(x[i], y[i]);
     let px = x[i];
     let py = y[i];
+    let left = lookAhead;
     for (let turn = 0; ; turn++) {
-      sweep.begin(px, py, this.#dx, this.#dy, turn === 0 ? margin : 0);
-      if (sweep.length === 0 || sweep.isBlocked()) return;
+      sweep.begin(px, py, this.#dx, this.#dy, 0);
       const hit = this.#meetFirst(i, found);
-      if (turn === 0) this.#findSensors(i, found);
+      if (turn === 0) this.#tellPassed(i, found);
       if (hit < 0) return;
       const { time, normalX, normalY } = sweep;
       const distance = sweep.distance + (x[i] - px) * normalX + (y[i] - py) * normalY;
@@ -80,17 +80,24 @@ export class ShapeWay {
       this.#places.of(hit, hitRadius);
       px += this.#dx * time;
       py += this.#dy * time;
+      // A plane across the way, where it ends. No plane may push the particle now, before it comes there.
+      const acrossX = -this.#dx / sweep.length;
+      const acrossY = -this.#dy / sweep.length;
+      const across = hitRadius + (x[i] - px) * acrossX + (y[i] - py) * acrossY;
       if (turn === MOST_TURNS || distance < hitRadius * (1 - BEHIND_SHARE)) {
-        // Its plane would push the particle now, before it comes there: a plane across the way, at that place, does not.
-        const nx = -this.#dx / sweep.length;
-        const ny = -this.#dy / sweep.length;
-        this.#places.add(hitRadius + (x[i] - px) * nx + (y[i] - py) * ny, nx, ny);
+        this.#places.add(across, acrossX, acrossY, 0);
         return;
       }
-      this.#places.add(distance, normalX, normalY);
+      const closing = this.#dx * normalX + this.#dy * normalY;
+      const atFirst = (vx[i] * normalX + vy[i] * normalY) * left;
+      this.#places.add(distance, normalX, normalY, Math.min(1, Math.max(0, closing / atFirst)));
+      left *= 1 - time;
       this.#dx *= 1 - time;
       this.#dy *= 1 - time;
       this.#slideOn(normalX, normalY, x[i] * normalX + y[i] * normalY - distance);
+      if (!sweep.isBlocked(px, py, this.#dx, this.#dy)) continue;
+      this.#places.add(across, acrossX, acrossY, 0); // two planes at a narrow angle hold it, but a third holds it sooner
+      return;
     }
   }
 
@@ -125,16 +132,17 @@ export class ShapeWay {
     return hit;
   }
 
-  /** Tells of the sensors on the way, up to what is met first. */
-  #findSensors(i: number, found: number): void {
+  /** Tells of sensors on the way, and of what is passed by narrowly, up to what is met first. */
+  #tellPassed(i: number, found: number): void {
     const { x, y, dx, dy, time } = this.#sweep;
+    const share = Math.min(1, time);
     const probe = this.#probe;
     for (let f = 0; f < found; f++) {
       const s = this.#index.at(f);
-      if (!this.#shapes[s].sensor) continue;
-      probe.begin(x, y, dx, dy, 0);
+      const { sensor } = this.#shapes[s];
+      probe.begin(x, y, dx * share, dy * share, sensor ? 0 : this.#contacts.margin);
       this.#tell(probe, s, i);
-      if (!(probe.time <= Math.min(1, time))) continue;
+      if (!sensor || probe.time > 1) continue;
       this.#contacts.currentSource = this.#firstSource + s;
       this.#contacts.addSensor(i, SCENERY, probe.normalX, probe.normalY);
     }

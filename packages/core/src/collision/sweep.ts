@@ -69,12 +69,15 @@ export class Sweep {
     this.#floors[f + 2] = offset;
   }
 
-  /** Whether the way leads into one of these planes. */
-  isBlocked(): boolean {
-    const { dx, dy } = this;
+  /** Whether a way from (x, y) leads into one of these planes at once. */
+  isBlocked(x: number, y: number, dx: number, dy: number): boolean {
     const floors = this.#floors;
-    const least = -ALONG * this.length;
-    for (let f = 0; f < this.#floorCount * 3; f += 3) if (dx * floors[f] + dy * floors[f + 1] < least) return true;
+    const least = -ALONG * Math.sqrt(dx * dx + dy * dy);
+    for (let f = 0; f < this.#floorCount * 3; f += 3) {
+      const nx = floors[f];
+      const ny = floors[f + 1];
+      if (dx * nx + dy * ny < least && x * nx + y * ny - floors[f + 2] <= this.radius + SEAM) return true;
+    }
     return false;
   }
 
