@@ -1,4 +1,4 @@
-import { Buoyancy, bungee, Gravity, HalfPlane, inRegion, insideBox, type Particle, World } from '@mass/core';
+import { Buoyancy, bungee, Gravity, HalfPlane, inRegion, insideBox, type Particle, severity, World } from '@mass/core';
 import { addFloat, Stillness, wood } from './floats.ts';
 import type { Guide, Scene, Setup } from './scene.ts';
 
@@ -46,7 +46,7 @@ export const buoyancyExplained: Scene<'mass' | 'volume' | 'density'> = {
   }),
 
   build({ mass, volume, density }) {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const water = new Buoyancy({ level: 0, density, g, k1: 14 });
     world.addForce(new Gravity({ x: 0, y: -g }));
     world.addForce(inRegion(water, insideBox({ minY: -depth })));

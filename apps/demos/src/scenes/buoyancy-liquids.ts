@@ -1,4 +1,4 @@
-import { Box, Buoyancy, HalfPlane, inRegion, insideBox, type Particle, World } from '@mass/core';
+import { Box, Buoyancy, HalfPlane, inRegion, insideBox, type Particle, severity, World } from '@mass/core';
 import { addFloat, outline, restingHeight, wood } from './floats.ts';
 import { PeriodMeter } from './period-meter.ts';
 import type { Guide, Scene } from './scene.ts';
@@ -44,7 +44,7 @@ export const buoyancyLiquids: Scene<'mass' | 'drag'> = {
   }),
 
   build({ mass, drag }) {
-    const world = new World({ gravity: { x: 0, y: -g } });
+    const world = new World({ resolver: severity(), gravity: { x: 0, y: -g } });
     world.addShape(new HalfPlane({ point: { x: 0, y: -depth } }));
     const waters = liquids.map(({ density }, basin) => {
       const water = new Buoyancy({ level: 0, density, g, k1: (drag * density) / 1000 });

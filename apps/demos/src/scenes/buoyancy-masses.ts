@@ -1,4 +1,4 @@
-import { Buoyancy, HalfPlane, inRegion, insideBox, type Particle, World } from '@mass/core';
+import { Buoyancy, HalfPlane, inRegion, insideBox, type Particle, severity, World } from '@mass/core';
 import { addFloat, draught, outline, restingHeight, Stillness, wood } from './floats.ts';
 import type { Guide, Scene } from './scene.ts';
 
@@ -25,7 +25,7 @@ export const buoyancyMasses: Scene<'step' | 'density' | 'drag'> = {
   style: (palette) => ({ particle: { fill: wood(palette) } }),
 
   build({ step, density, drag }) {
-    const world = new World({ gravity: { x: 0, y: -g } });
+    const world = new World({ resolver: severity(), gravity: { x: 0, y: -g } });
     const liquid = new Buoyancy({ level: 0, density, g, k1: drag });
     world.addForce(inRegion(liquid, insideBox({ minY: -depth })));
     world.addShape(new HalfPlane({ point: { x: 0, y: -depth } }));

@@ -1,4 +1,4 @@
-import { Buoyancy, HalfPlane, inRegion, insideBox, type Particle, Random, World } from '@mass/core';
+import { Buoyancy, HalfPlane, inRegion, insideBox, type Particle, Random, severity, World } from '@mass/core';
 import { addFloat, draught, type Float, outline, restingHeight, Stillness, wood } from './floats.ts';
 import { PeriodMeter } from './period-meter.ts';
 import type { Guide, Scene } from './scene.ts';
@@ -26,7 +26,7 @@ export const buoyancyVolumes: Scene<'mass' | 'density' | 'drag'> = {
   style: (palette) => ({ particle: { fill: wood(palette) } }),
 
   build({ mass, density, drag }, seed) {
-    const world = new World({ gravity: { x: 0, y: -g } });
+    const world = new World({ resolver: severity(), gravity: { x: 0, y: -g } });
     const random = new Random(seed);
     const liquid = new Buoyancy({ level: 0, density, g, k1: drag });
     world.addForce(inRegion(liquid, insideBox({ minY: -depth })));

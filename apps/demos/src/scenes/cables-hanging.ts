@@ -1,4 +1,4 @@
-import { Box, cable, World } from '@mass/core';
+import { Box, cable, severity, World } from '@mass/core';
 import { PendulumMotion } from './pendulum-motion.ts';
 import type { Guide, Scene } from './scene.ts';
 
@@ -38,7 +38,7 @@ export const cablesHanging: Scene<'balls' | 'amplitude'> = {
   },
 
   build({ balls, amplitude }) {
-    const world = new World({ gravity: { x: 0, y: -g }, capacity: balls + 1 });
+    const world = new World({ resolver: severity(), gravity: { x: 0, y: -g }, capacity: balls + 1 });
     world.addShape(new Box({ centre: { x: 0, y: 0.13 }, width: 2.4, height: 0.26 }));
     const pivot = world.addParticle({ x: 0, y: 0, mass: Infinity, radius: 0.05, group: 16 });
     // All swing alike, each at its own pace.

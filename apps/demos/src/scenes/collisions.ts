@@ -1,4 +1,4 @@
-import { DiscContacts, type Particle, World } from '@mass/core';
+import { DiscContacts, type Particle, severity, World } from '@mass/core';
 import type { Guide, Point, Readout } from './scene.ts';
 
 /** How two discs are to collide: the first flies, the second is at rest. */
@@ -31,7 +31,7 @@ const flash = 15;
 
 /** Pairs of discs that collide all at one time, again and again, beside the closed form of the hit. */
 export class Collisions {
-  readonly world: World = new World();
+  readonly world: World = new World({ resolver: severity() });
   readonly ways: readonly Way[];
   readonly #steps: number;
   readonly #rail: number;

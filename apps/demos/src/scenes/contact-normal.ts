@@ -1,4 +1,4 @@
-import { Box, HalfPlane, type Particle, spring, World } from '@mass/core';
+import { Box, HalfPlane, type Particle, severity, spring, World } from '@mass/core';
 import { Again } from './again.ts';
 import { wear } from './outline.ts';
 import type { Guide, Point, Scene } from './scene.ts';
@@ -21,7 +21,7 @@ function hook(down: number): Point[] {
 
 /** Two hooks in each other. `sign` is that of the contact's normal against hat(p_a - p_b). */
 function pair(sign: 1 | -1, weight: number, restitution: number) {
-  const world = new World();
+  const world = new World({ resolver: severity() });
   world.addShape(new HalfPlane({ point: { x: 0, y: floor } }));
   world.addShape(new Box({ centre: { x: 0, y: ceiling + 0.15 }, width: 1.8, height: 0.3 }));
   const a = world.addParticle({ x: 0, y: start.a, mass: 1, radius: 0.2, ay: -9.81, damping: 0.5 });

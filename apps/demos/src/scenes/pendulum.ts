@@ -1,4 +1,4 @@
-import { rod, World } from '@mass/core';
+import { rod, severity, World } from '@mass/core';
 import { PendulumMotion } from './pendulum-motion.ts';
 import { PeriodMeter } from './period-meter.ts';
 import type { Guide, Scene } from './scene.ts';
@@ -30,7 +30,7 @@ export const pendulum: Scene<'amplitude' | 'length' | 'mass'> = {
   }),
 
   build({ amplitude, length, mass }) {
-    const world = new World({ gravity: { x: 0, y: -g } });
+    const world = new World({ resolver: severity(), gravity: { x: 0, y: -g } });
     const exact = new PendulumMotion(amplitude * degree, length, g);
     const placeAt = (angle: number) => ({
       x: pivot.x + length * Math.sin(angle),

@@ -1,4 +1,4 @@
-import { Box, type Particle, type Spring, Springs, World } from '@mass/core';
+import { Box, type Particle, type Spring, Springs, severity, World } from '@mass/core';
 import { PeriodMeter } from './period-meter.ts';
 import type { Guide, Scene } from './scene.ts';
 
@@ -32,7 +32,7 @@ export const springsAmplitude: Scene<'stretch' | 'stiffness' | 'mass'> = {
   }),
 
   build({ stretch, stiffness, mass }) {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const springs = world.addForce(new Springs());
     world.addShape(new Box({ centre: { x: -rest - 0.2, y: yOf(1.5) }, width: 0.4, height: 3.3 }));
     const starts = lanes.map((lane) => (stretch * lane) / lanes.length);

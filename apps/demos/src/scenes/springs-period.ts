@@ -1,4 +1,4 @@
-import { Box, Springs, World } from '@mass/core';
+import { Box, Springs, severity, World } from '@mass/core';
 import { PeriodMeter } from './period-meter.ts';
 import type { Guide, Scene } from './scene.ts';
 
@@ -30,7 +30,7 @@ export const springsPeriod: Scene<'stiffness' | 'mass' | 'stretch'> = {
   }),
 
   build({ stiffness, mass, stretch }) {
-    const world = new World();
+    const world = new World({ resolver: severity() });
     const springs = world.addForce(new Springs());
     world.addShape(new Box({ centre: { x: -3.525, y: 4.2 }, width: 6.2, height: 0.4 }));
     const bobs = times.map((factor, lane) => {
