@@ -13,12 +13,13 @@ export function readReport(): Report {
   return JSON.parse(readFileSync(RESULTS, 'utf8'));
 }
 
-/** Writes the JSON, and its tables into the docs, between two marks. */
+/** Writes the JSON, four digits of each number, and its tables into the docs, between two marks. */
 export function saveReport(report: Report): void {
-  writeFileSync(RESULTS, `${JSON.stringify(report, undefined, 2)}\n`);
+  const json = JSON.stringify(report, (_, value) => (typeof value === 'number' ? Number(value.toPrecision(4)) : value));
+  writeFileSync(RESULTS, `${json.replace(/\{"(workload|engine)":/g, '\n$&')}\n`); // a line a case, a line an engine
   const docs = readFileSync(DOCS, 'utf8');
   const [before, rest] = docs.split(MARKS[0]);
   const after = rest?.split(MARKS[1])[1];
   if (after === undefined) throw new Error(`bench: ${DOCS} must hold the marks ${MARKS.join(' and ')}.`);
-  writeFileSync(DOCS, `${before}${MARKS[0]}\n\n${reportAsMarkdown(report)}\n\n${MARKS[1]}${after}`);
+  writeFileSync(DOCS, `${before}${MARKS[0]}\n\n${reportAsMarkdown(readReport())}\n\n${MARKS[1]}${after}`);
 }

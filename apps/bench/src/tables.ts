@@ -84,7 +84,7 @@ function targetRow(report: Report, one: CaseReport, name: string): string[] | un
   const own = one.results.find(({ engine }) => engine === OWN);
   if (!own || own.leftOut !== undefined) return undefined;
   const { ratio, limit } = one.targets[name];
-  const value = own.values[name]?.median;
+  const value = own.values[name]?.median ?? Number.NaN;
   const best = bestPeer(report, one.results, name, measure.better);
   const share = best && value / best.values[name].median;
   const goals: string[] = [];

@@ -1,3 +1,4 @@
+/// <reference path="./untyped.d.ts" />
 import type { Engine } from '../engine.ts';
 import { barsOf, dampingOf, simulationOf } from './rigid-bodies.ts';
 

@@ -3,13 +3,13 @@ import type { Workload } from '../workload.ts';
 import { pileScene } from './pile.ts';
 
 const WARM_UP = 300;
-const STEPS = 20;
-const ROUNDS = 10;
+const STEPS = 100;
+const ROUNDS = 5;
 
 export const garbage: Workload = {
   id: 'garbage',
   title: 'Garbage in a step',
-  about: `What steps of a pile allocate on JavaScript's heap, after 5 s of warm-up: the least of ten times 20 steps, with a young generation so
+  about: `What steps of a pile allocate on JavaScript's heap, after 5 s of warm-up: the least of five times 100 steps, with a young generation so
 large that nothing is collected in between. Memory inside WASM is not counted.`,
   needs: ['collide'],
   measures: { bytes: { title: 'a step', unit: 'B', better: 'less', target: { limit: 100 } } },
