@@ -1,18 +1,13 @@
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
-import { ROD } from './aim.ts';
-import { eliminate } from './eliminate.ts';
-import { ForestTable } from './forest-table.ts';
 import { type ForestLayout, layOutForests } from './lay-out-forests.ts';
 import type { LimitedLink } from './limited-link.ts';
 import type { LinkSolver } from './link.ts';
 import { linkGraph } from './link-graph.ts';
+import { CABLE, INVERSE_MASS, LENGTH, RANGE, ROD, ROW, TENSION, TOTAL, TreeTable } from './solve-tree.ts';
 import { spanningForests } from './spanning-forests.ts';
-import { gather, substitute } from './substitute.ts';
-
-/** Mass of an end that nothing moves, in masses of its neighbour: finite, so that two such ends hold what is between them. */
-const HEAVY = 1e9;
-/** How often a forest is solved anew without the links that would push where they can only pull. */
-const ROUNDS = 8;
+import { startAgain } from './start-again.ts';
+import { StiffTable } from './stiff-table.ts';
+import { TreeSolver } from './tree-solver.ts';
 
 /** Makes what keeps links of limited length in the sub-step resolver. */
 export function forestSolver(): LinkSolver {
@@ -24,118 +19,122 @@ export function forestSolver(): LinkSolver {
  * solved one after the other; each link then starts from the tension that it had a small step before.
  */
 class ForestSolver implements LinkSolver {
-  impulse: Float64Array = new Float64Array(0);
-  readonly #table = new ForestTable();
+  readonly #table = new TreeTable();
+  readonly #stiff = new StiffTable();
   #links: readonly LimitedLink[] = [];
-  #layout: ForestLayout = { ranges: [0], groups: [0] };
+  #layout: ForestLayout = { trees: [0], groups: [0] };
+  #solver: TreeSolver = new TreeSolver(this.#table, this.#stiff, 0);
+  /** 1 where some of the tree can move now. */
+  #awake = new Uint8Array(0);
+  /** 1 for each slot that could move when the trees were laid out. */
+  #movable = new Uint8Array(0);
+  #impulse = new Float64Array(0);
   #lastH = 0;
-  #wasMovable = new Uint8Array(0);
+
+  get impulse(): Float64Array {
+    const { count, link, rows } = this.#table;
+    for (let k = 0; k < count; k++)
+      if (link[k] >= 0) this.#impulse[link[k]] = rows[k * ROW + TOTAL] * rows[k * ROW + LENGTH];
+    return this.#impulse;
+  }
 
   setLinks(links: readonly LimitedLink[], particles: ParticleArrays): void {
     const tensions = this.#tensionsOf(links);
     const graph = linkGraph(links, particles);
-    this.#layout = layOutForests(this.#table, links, graph, spanningForests(graph));
+    const table = this.#table;
+    this.#layout = layOutForests(table, links, graph, spanningForests(graph));
     this.#links = links;
-    this.#wasMovable = new Uint8Array(particles.count);
-    for (let s = 0; s < particles.count; s++) this.#wasMovable[s] = particles.inverseMass[s] > 0 ? 1 : 0;
-    if (this.impulse.length < links.length) this.impulse = new Float64Array(links.length);
-    const { count, link, tension } = this.#table;
-    for (let k = 0; k < count; k++) tension[k] = link[k] < 0 ? 0 : tensions[link[k]];
+    const { count, link, rows, slot } = table;
+    const trees = this.#layout.trees.length - 1;
+    this.#stiff.clear(slot.length);
+    this.#solver = new TreeSolver(table, this.#stiff, trees);
+    this.#awake = new Uint8Array(trees);
+    this.#movable = new Uint8Array(count);
+    this.#impulse = new Float64Array(links.length);
+    for (let k = 0; k < count; k++) {
+      rows[k * ROW + TENSION] = link[k] < 0 ? 0 : tensions[link[k]];
+      this.#movable[k] = slot[k] >= 0 && particles.inverseMass[slot[k]] > 0 ? 1 : 0;
+    }
   }
 
   begin(particles: ParticleArrays): void {
-    this.impulse.fill(0);
-    const t = this.#table;
-    for (let k = 0; k < t.count; k++) {
-      const s = t.slot[k];
-      const p = t.parent[k];
-      t.moves[k] = s >= 0 && particles.inverseMass[s] > 0 && particles.asleep[s] === 0 ? 1 : 0;
-      t.mass[k] = t.moves[k] === 1 ? particles.mass[s] : p < 0 ? 1 : HEAVY * t.mass[p];
-      const l = t.link[k];
-      t.inverseMass[k] =
-        (s < 0 ? 0 : particles.inverseMass[s]) + (p < 0 || t.slot[p] < 0 ? 0 : particles.inverseMass[t.slot[p]]);
-      if (l < 0) continue;
-      const link = this.#links[l];
-      t.minLength[k] = link.minLength;
-      t.maxLength[k] = link.maxLength;
-      t.compliance[k] = link.compliance;
-      t.damping[k] = link.damping;
-      t.restitution[k] = link.restitution;
-      if (link.minLength === link.maxLength) t.side[k] = ROD;
-      else if (t.side[k] === ROD) t.side[k] = 0;
+    if (!this.#fits(particles)) this.setLinks(this.#links, particles);
+    const { trees } = this.#layout;
+    for (let tree = 0; tree < trees.length - 1; tree++) {
+      this.#awake[tree] = this.#readNodes(trees[tree], trees[tree + 1], particles);
+      if (this.#awake[tree] === 1) this.#solver.plain[tree] = this.#readLinks(trees[tree], trees[tree + 1]);
     }
   }
 
   solve(particles: ParticleArrays, h: number): void {
-    const { ranges, groups } = this.#layout;
+    const { trees, groups } = this.#layout;
+    const ratio = this.#lastH > 0 ? h / this.#lastH : 0;
     for (let g = 0; g < groups.length - 1; g++) {
-      if (groups[g + 1] - groups[g] > 1) this.#startAgain(ranges[groups[g]], ranges[groups[g + 1]], particles, h);
-      for (let r = groups[g]; r < groups[g + 1]; r++) this.#solveRange(ranges[r], ranges[r + 1], particles, h);
+      const looped = groups[g + 1] - groups[g] > 1 ? 1 : 0;
+      for (let tree = groups[g]; looped === 1 && tree < groups[g + 1]; tree++) {
+        if (this.#awake[tree] === 1) startAgain(this.#table, trees[tree], trees[tree + 1], particles, ratio);
+      }
+      for (let tree = groups[g]; tree < groups[g + 1]; tree++) {
+        if (this.#awake[tree] === 1) this.#solver.solve(tree, trees[tree], trees[tree + 1], particles, h, looped);
+      }
     }
     this.#lastH = h;
   }
 
-  #startAgain(from: number, to: number, particles: ParticleArrays, h: number): void {
-    const t = this.#table;
-    const ratio = this.#lastH > 0 ? h / this.#lastH : 0;
-    const { vx, vy, inverseMass } = particles;
-    gather(t, from, to, particles);
-    for (let k = from; k < to; k++) {
-      const p = t.parent[k];
-      if (p < 0) continue;
-      const start = t.tension[k] * ratio;
-      t.start[k] = start;
-      const jx = start * (t.x[p] - t.x[k]);
-      const jy = start * (t.y[p] - t.y[k]);
-      if (t.moves[k] === 1) {
-        const s = t.slot[k];
-        vx[s] += jx * inverseMass[s];
-        vy[s] += jy * inverseMass[s];
-      }
-      if (t.moves[p] === 1) {
-        const s = t.slot[p];
-        vx[s] -= jx * inverseMass[s];
-        vy[s] -= jy * inverseMass[s];
-      }
+  /** Whether the same ends can move as when the trees were laid out. */
+  #fits({ inverseMass }: ParticleArrays): boolean {
+    const { count, slot } = this.#table;
+    for (let k = 0; k < count; k++) {
+      if (slot[k] >= 0 && inverseMass[slot[k]] > 0 !== (this.#movable[k] === 1)) return false;
     }
+    return true;
   }
 
-  #solveRange(from: number, to: number, particles: ParticleArrays, h: number): void {
-    const t = this.#table;
-    gather(t, from, to, particles);
-    for (let round = 0; round < ROUNDS; round++) {
-      if (!(eliminate(t, from, to, h, 0, round > 0) || eliminate(t, from, to, h, 1, true))) return;
-      substitute(t, from, to, particles);
-      if (!this.#letGo(from, to)) break;
-    }
+  /** Reads the inverse masses of a tree. Returns 1 if any of it can move now. */
+  #readNodes(from: number, to: number, { inverseMass, asleep }: ParticleArrays): number {
+    const { slot, rows } = this.#table;
+    let awake = 0;
     for (let k = from; k < to; k++) {
-      if (t.link[k] >= 0) this.impulse[t.link[k]] += t.tension[k] * t.maxLength[k];
+      const s = slot[k];
+      const w = s >= 0 && asleep[s] === 0 ? inverseMass[s] : 0;
+      rows[k * ROW + INVERSE_MASS] = w;
+      rows[k * ROW + TOTAL] = 0;
+      if (w > 0) awake = 1;
     }
+    return awake;
   }
 
-  #letGo(from: number, to: number): boolean {
-    const { side, tension } = this.#table;
-    let any = false;
-    for (let k = from; k < to; k++) {
-      if (side[k] === ROD || side[k] * tension[k] >= 0) continue;
-      side[k] = 0;
-      any = true;
+  /** Reads the limits of a tree's links. Returns 1 if `eliminate` knows all of them. */
+  #readLinks(from: number, to: number): number {
+    const { link: numbers, kind, rows } = this.#table;
+    const { minLength, maxLength, compliance, damping, restitution } = this.#stiff;
+    let plain = 1;
+    for (let k = from + 1; k < to; k++) {
+      const link = this.#links[numbers[k]];
+      const min = link.minLength;
+      const max = link.maxLength;
+      minLength[k] = min;
+      maxLength[k] = max;
+      rows[k * ROW + LENGTH] = max;
+      kind[k] = min === max ? ROD : min > 0 ? RANGE : CABLE;
+      compliance[k] = link.compliance;
+      damping[k] = link.damping;
+      restitution[k] = link.restitution;
+      if (kind[k] === RANGE || link.compliance > 0 || link.damping > 0 || (link.restitution > 0 && kind[k] !== ROD))
+        plain = 0;
     }
-    return any;
+    return plain;
   }
 
+  /** The tensions that links had, for a list in which some came or went; it keeps the order. */
   #tensionsOf(links: readonly LimitedLink[]): Float64Array {
-    const { count, link, tension } = this.#table;
+    const { count, link, rows } = this.#table;
     const old = new Float64Array(this.#links.length);
-    for (let k = 0; k < count; k++) if (link[k] >= 0) old[link[k]] = tension[k];
+    for (let k = 0; k < count; k++) if (link[k] >= 0) old[link[k]] = rows[k * ROW + TENSION];
     const tensions = new Float64Array(links.length);
-    let o = 0;
-    for (let l = 0; l < links.length; l++) {
-      let at = o;
-      while (at < old.length && this.#links[at] !== links[l]) at++;
-      if (at === old.length) break; // it is new, and so are those after it
-      tensions[l] = old[at];
-      o = at + 1;
+    for (let l = 0, o = 0; l < links.length && o < old.length; l++, o++) {
+      while (o < old.length && this.#links[o] !== links[l]) o++;
+      if (o < old.length) tensions[l] = old[o];
     }
     return tensions;
   }

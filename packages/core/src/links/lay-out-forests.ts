@@ -1,38 +1,34 @@
 import { particleOf } from '../particles/end.ts';
-import type { ForestTable } from './forest-table.ts';
 import type { Link } from './link.ts';
 import type { LinkGraph } from './link-graph.ts';
+import { NODE, POINT, type TreeTable } from './solve-tree.ts';
 import type { SpanningForests } from './spanning-forests.ts';
 
-/** Where in the table the forests stand. */
+/** Where in the table the trees stand. */
 export interface ForestLayout {
-  /** First row of each range, and the end of the last: a range holds one forest of one group. */
-  readonly ranges: readonly number[];
-  /** First range of each group, and the end of the last: a group is what links hold together. */
+  /** First row of each tree, and the end of the last. */
+  readonly trees: readonly number[];
+  /** First tree of each group, and the end of the last: a group is what links hold together. */
   readonly groups: readonly number[];
 }
 
-/** Writes the rows of all trees: group by group, forest by forest, breadth-first from the roots. */
+/** Writes the rows of all trees: group by group, and in each forest by forest. */
 export function layOutForests(
-  table: ForestTable,
+  table: TreeTable,
   links: readonly Link[],
   graph: LinkGraph,
   forests: SpanningForests,
 ): ForestLayout {
-  const ranges: number[] = [];
+  const trees: number[] = [];
   const groups: number[] = [];
   const writer = new RowWriter(table, links, graph, forests.forest);
   for (const members of groupsOf(forests)) {
-    groups.push(ranges.length);
-    for (let f = 0; f < forests.count; f++) {
-      const from = table.count;
-      writer.addForest(members, f);
-      if (table.count > from) ranges.push(from);
-    }
+    groups.push(trees.length);
+    for (let f = 0; f < forests.count; f++) writer.addForest(members, f, trees);
   }
-  groups.push(ranges.length);
-  ranges.push(table.count);
-  return { ranges, groups };
+  groups.push(trees.length);
+  trees.push(table.count);
+  return { trees, groups };
 }
 
 /** The slots of each connected part; parts and slots in the order of the search. */
@@ -47,76 +43,77 @@ function groupsOf({ slots, part }: SpanningForests): Iterable<number[]> {
 }
 
 class RowWriter {
-  readonly #table: ForestTable;
+  readonly #table: TreeTable;
   readonly #links: readonly Link[];
   readonly #graph: LinkGraph;
   readonly #forest: Int32Array;
   /** The last forest in which a slot was met. */
   readonly #met: Int32Array;
-  readonly #stack: number[] = [];
+  /** The last child of a row. */
+  readonly #lastChild: Int32Array;
+  /** Rows to come, the next on top: link, then parent. */
+  readonly #waiting: number[] = [];
 
-  constructor(table: ForestTable, links: readonly Link[], graph: LinkGraph, forest: Int32Array) {
+  constructor(table: TreeTable, links: readonly Link[], graph: LinkGraph, forest: Int32Array) {
+    const room = 2 * links.length + graph.slots;
     this.#table = table;
     this.#links = links;
     this.#graph = graph;
     this.#forest = forest;
     this.#met = new Int32Array(graph.slots).fill(-1);
-    table.count = 0;
-    table.reserve(2 * links.length + graph.slots);
+    this.#lastChild = new Int32Array(room);
+    table.clear(room);
   }
 
   /** All trees that a forest has among the members of a group. */
-  addForest(members: readonly number[], forest: number): void {
-    const table = this.#table;
-    const from = table.count;
+  addForest(members: readonly number[], forest: number, trees: number[]): void {
+    const { first, links } = this.#graph;
     for (const member of members) {
-      if (this.#met[member] < forest && this.#meetTree(member, forest)) this.#addRoot(member, forest);
-    }
-    for (let row = from; row < table.count; row++) this.#addChildren(row, forest);
-  }
-
-  /** Marks what hangs together with a slot in a forest. Returns whether there is any link. */
-  #meetTree(member: number, forest: number): boolean {
-    const { near, far, first, links } = this.#graph;
-    const stack = this.#stack;
-    let any = false;
-    stack.push(member);
-    for (let slot = stack.pop(); slot !== undefined; slot = stack.pop()) {
-      this.#met[slot] = forest;
-      for (let i = first[slot]; i < first[slot + 1]; i++) {
-        const link = links[i];
-        if (this.#forest[link] !== forest) continue;
-        any = true;
-        const other = near[link] === slot ? far[link] : near[link];
-        if (other >= 0 && this.#met[other] < forest) stack.push(other);
+      if (this.#met[member] === forest) continue;
+      for (let i = first[member]; i < first[member + 1]; i++) {
+        if (this.#forest[links[i]] !== forest) continue;
+        trees.push(this.#table.count);
+        this.#addTree(member, forest);
+        break;
       }
     }
-    return any;
   }
 
-  /** The root of a tree: the end that holds the first slot, where there is one, or else that slot. */
-  #addRoot(slot: number, forest: number): void {
+  /** A tree, from the end that holds its first slot, where there is one, or else from that slot. */
+  #addTree(slot: number, forest: number): void {
     const { far, first, links } = this.#graph;
     for (let i = first[slot]; i < first[slot + 1]; i++) {
       const link = links[i];
       if (far[link] >= 0 || this.#forest[link] !== forest) continue;
       this.#addHolder(link, slot, -1);
-      this.#add(slot, this.#table.count - 1, link);
-      this.#table.link[this.#table.count - 2] = -1;
+      this.#addBranch(slot, this.#table.count - 1, link, forest);
       return;
     }
-    this.#add(slot, -1, -1);
+    this.#addBranch(slot, -1, -1, forest);
   }
 
-  #addChildren(row: number, forest: number): void {
-    const { near, far, first, links } = this.#graph;
+  /** A slot and all that hangs on it, depth-first. */
+  #addBranch(slot: number, parent: number, link: number, forest: number): void {
+    const { near, far } = this.#graph;
+    const { slot: slotOf } = this.#table;
+    const waiting = this.#waiting;
+    this.#await(this.#add(slot, parent, link), forest);
+    while (waiting.length > 0) {
+      const row = waiting.pop() as number;
+      const next = waiting.pop() as number;
+      const above = slotOf[row];
+      if (far[next] < 0) this.#addHolder(next, above, row);
+      else this.#await(this.#add(near[next] === above ? far[next] : near[next], row, next), forest);
+    }
+  }
+
+  /** Notes the links that hang on a row. */
+  #await(row: number, forest: number): void {
+    const { first, links } = this.#graph;
     const slot = this.#table.slot[row];
-    if (this.#table.moves[row] === 0) return;
-    for (let i = first[slot]; i < first[slot + 1]; i++) {
-      const link = links[i];
-      if (link === this.#table.link[row] || this.#forest[link] !== forest) continue;
-      if (far[link] < 0) this.#addHolder(link, slot, row);
-      else this.#add(near[link] === slot ? far[link] : near[link], row, link);
+    this.#met[slot] = forest;
+    for (let i = first[slot + 1] - 1; i >= first[slot]; i--) {
+      if (this.#forest[links[i]] === forest && links[i] !== this.#table.link[row]) this.#waiting.push(links[i], row);
     }
   }
 
@@ -124,11 +121,9 @@ class RowWriter {
   #addHolder(link: number, slot: number, parent: number): void {
     const { a, b } = this.#links[link];
     const end = particleOf(a)?.slot === slot ? b : a;
-    const row = this.#add(particleOf(end)?.slot ?? -1, parent, link);
-    this.#table.moves[row] = 0;
-    this.#table.x[row] = end.x;
-    this.#table.y[row] = end.y;
-    this.#table.vx[row] = this.#table.vy[row] = 0;
+    const row = this.#add(particleOf(end)?.slot ?? -1, parent, parent < 0 ? -1 : link);
+    this.#table.nodes[row * NODE + POINT] = end.x;
+    this.#table.nodes[row * NODE + POINT + 1] = end.y;
   }
 
   #add(slot: number, parent: number, link: number): number {
@@ -137,8 +132,13 @@ class RowWriter {
     table.slot[row] = slot;
     table.parent[row] = parent;
     table.link[row] = link;
-    table.moves[row] = 1;
-    table.tension[row] = 0;
+    table.children[row] = 0;
+    table.isLast[row] = 1;
+    if (parent >= 0) {
+      if (table.children[parent] > 0) table.isLast[this.#lastChild[parent]] = 0;
+      table.children[parent] = Math.min(2, table.children[parent] + 1);
+      this.#lastChild[parent] = row;
+    }
     return row;
   }
 }

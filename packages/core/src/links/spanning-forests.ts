@@ -13,79 +13,87 @@ export interface SpanningForests {
 }
 
 /**
- * Deals links out to as few forests as a greedy search finds: breadth-first from the ends that cannot move, so that what hangs
- * is held by short ways up; then what is left, in the order found (Kruskal 1956). Links to ends that cannot move close no loop.
+ * Deals links out to as few forests as a greedy search finds: first those along which the search went, then what is left, in the
+ * order in which it was found (Kruskal 1956). Links to ends that cannot move close no loop.
  */
 export function spanningForests(graph: LinkGraph): SpanningForests {
   const { near, far, slots: slotCount } = graph;
-  const { slots, order } = searchOrder(graph);
+  const { slots, order } = search(graph);
   const forest = new Int32Array(near.length);
-  let part = new Int32Array(0);
+  const sets = new Int32Array(slotCount);
+  const part = new Int32Array(slotCount);
   let left = order.length;
-  let count = near.length > 0 ? 1 : 0;
-  for (let f = 0; f === 0 || left > 0; f++) {
-    const sets = Int32Array.from({ length: slotCount }, (_, slot) => slot);
+  let count = 0;
+  do {
+    for (let s = 0; s < slotCount; s++) sets[s] = s;
     let kept = 0;
     for (let o = 0; o < left; o++) {
       const link = order[o];
       const a = find(sets, near[link]);
       const b = find(sets, far[link]);
+      sets[Math.max(a, b)] = Math.min(a, b);
       if (a === b) order[kept++] = link;
-      else {
-        sets[Math.max(a, b)] = Math.min(a, b);
-        forest[link] = f;
-      }
+      else forest[link] = count;
     }
+    if (count === 0) for (let s = 0; s < slotCount; s++) part[s] = find(sets, s);
     left = kept;
-    count = Math.max(count, f + 1);
-    if (f === 0) part = sets;
-  }
-  for (let s = 0; s < slotCount; s++) part[s] = find(part, s);
+    count++;
+  } while (left > 0);
   return { forest, count, slots, part };
 }
 
-/** The slots as a breadth-first search meets them, and the links between them: those that it went along, then the others. */
-function searchOrder({ near, far, first, links, slots: slotCount }: LinkGraph): {
-  slots: Int32Array;
-  order: Int32Array;
-} {
+/**
+ * The slots as a search meets them, and the links between them: those that it went along, then the others. It is breadth-first
+ * from the ends that cannot move, so that what hangs there is held by short ways; what nothing holds is searched depth-first,
+ * which finds two chains in a box with its diagonals.
+ */
+function search({ near, far, first, links, slots: slotCount }: LinkGraph): { slots: Int32Array; order: Int32Array } {
+  const slots = new Int32Array(slotCount);
   const seen = new Uint8Array(slotCount);
   const used = new Uint8Array(near.length);
-  const slots = new Int32Array(slotCount);
+  const next = first.slice();
   const others: number[] = [];
   const order = new Int32Array(near.length);
   let found = 0;
-  let done = 0;
   let along = 0;
   const meet = (slot: number): void => {
-    if (seen[slot] === 1) return;
     seen[slot] = 1;
     slots[found++] = slot;
   };
-  const search = (): void => {
-    for (; done < found; done++) {
-      const slot = slots[done];
-      for (let i = first[slot]; i < first[slot + 1]; i++) {
-        const link = links[i];
-        if (used[link] === 1 || far[link] < 0) continue;
-        used[link] = 1;
-        const other = near[link] === slot ? far[link] : near[link];
-        if (seen[other] === 1) others.push(link);
-        else order[along++] = link;
+  /** Goes along the next link of a slot that is still unused. Returns the new slot, -1 if it was none, -2 at the end. */
+  const advance = (slot: number): number => {
+    while (next[slot] < first[slot + 1]) {
+      const link = links[next[slot]++];
+      if (used[link] === 1 || far[link] < 0) continue;
+      used[link] = 1;
+      const other = near[link] === slot ? far[link] : near[link];
+      if (seen[other] === 0) {
+        order[along++] = link;
         meet(other);
+        return other;
       }
+      others.push(link);
     }
+    return -1;
   };
-  for (let l = 0; l < near.length; l++) if (near[l] >= 0 && far[l] < 0) meet(near[l]);
-  search();
+  for (let l = 0; l < near.length; l++) if (far[l] < 0 && near[l] >= 0 && seen[near[l]] === 0) meet(near[l]);
+  for (let done = 0; done < found; done++) while (advance(slots[done]) >= 0);
+  const path: number[] = [];
   for (let slot = 0; slot < slotCount; slot++) {
-    if (first[slot + 1] > first[slot]) meet(slot);
-    search();
+    if (seen[slot] === 1 || first[slot + 1] === first[slot]) continue;
+    meet(slot);
+    path.push(slot);
+    while (path.length > 0) {
+      const other = advance(path[path.length - 1]);
+      if (other >= 0) path.push(other);
+      else path.pop();
+    }
   }
   order.set(others, along);
   return { slots: slots.subarray(0, found), order: order.subarray(0, along + others.length) };
 }
 
+/** The representative of a set, with paths halved on the way (R. Tarjan 1975). */
 function find(sets: Int32Array, slot: number): number {
   while (sets[slot] !== slot) {
     sets[slot] = sets[sets[slot]];
