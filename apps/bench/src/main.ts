@@ -58,9 +58,9 @@ if (options.help) {
       if (caseNames ? !caseNames.includes(which.name) : options.quick && !which.quick) continue;
       const results = await runCase(workload, which, takePart, rounds);
       report.add(workload, which, results);
+      if (options.save) saveReport(mergeReports(readReport(), report.data));
       console.log(`\n${workload.title}: ${which.name}\n${caseTable(workload, results)}`);
     }
   }
   console.log(`\n${targetTable(report.data)}`);
-  if (options.save) saveReport(mergeReports(readReport(), report.data));
 }

@@ -5,7 +5,7 @@ import type { Outcome } from './outcome.ts';
 import type { Bench } from './workload.ts';
 import { workloads } from './workloads/index.ts';
 
-const PATIENCE = 120_000; // ms
+const PATIENCE = 60_000; // ms
 
 /** A bench that gives up on what takes too long. */
 export async function makeBench(engine: Engine): Promise<Bench> {
