@@ -38,6 +38,9 @@ export class ContactBuffer implements Contacts, ContactArrays {
   leftOut = 0;
   /** How far ahead generators look. Unit: s. */
   lookAhead = 0;
+  /** Those with static shapes are the contacts from the first number to before the second. */
+  sceneryStart = 0;
+  sceneryEnd = 0;
   /** What is nearer than this is added too: how far a thing at rest may get within that time. Unit: m. */
   margin = 0;
   /** Grows whenever the linked pairs change. */

@@ -85,12 +85,22 @@ export class ContactSources {
       contacts.currentSource = source++;
       if (!without || links[l].solver === undefined) links[l].addContacts(store, contacts, dt);
     }
+    contacts.sceneryStart = contacts.count;
     this.#shapeContacts.find(shapes, source, store, contacts, dt);
+    contacts.sceneryEnd = contacts.count;
     source += shapes.length;
     for (let g = 0; g < generators.length; g++) {
       contacts.currentSource = source++;
       generators[g].addContacts(store, contacts, dt);
     }
+  }
+
+  /** Finds what touches sensors among the static shapes, or touches these as a sensor, now. Reads the particles. Writes sensors. */
+  findSensors(contacts: ContactBuffer, dt: number): void {
+    const shapes = this.shapes.list;
+    const { sensor } = this.#store;
+    if (!shapes.some((shape) => shape.sensor) && sensor.indexOf(1) < 0) return;
+    this.#shapeContacts.find(shapes, this.links.length, this.#store, contacts, dt, true);
   }
 
   /** Takes out the links that lost an end. */

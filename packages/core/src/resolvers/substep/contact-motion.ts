@@ -1,3 +1,4 @@
+import type { ContactBuffer } from '../../contacts/contact-buffer.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 import type { ContactRows } from './contact-rows.ts';
 import type { EdgeRows } from './edge-rows.ts';
@@ -13,18 +14,19 @@ export class ContactMotion {
   #beforeX = new Float64Array(0);
   #beforeY = new Float64Array(0);
 
-  /** Begins with what the rows hold. Reads the rows, inverseMass. */
-  begin(rows: ContactRows, edges: EdgeRows, particles: ParticleArrays): void {
+  /** Begins with what the rows hold. Reads the contacts, the rows, inverseMass. */
+  begin(contacts: ContactBuffer, rows: ContactRows, edges: EdgeRows, particles: ParticleArrays): void {
     const { count, inverseMass } = particles;
     if (this.#vx.length <= count) this.#reserve(count * 2 + 1);
     const vx = this.#vx;
     const vy = this.#vy;
     vx.fill(0, 0, count + 1);
     vy.fill(0, 0, count + 1);
-    const { a, b, normalX, normalY, normal, tangent } = rows;
+    const { a, normalX, normalY } = contacts;
+    const { second, normal, tangent } = rows;
     for (let r = 0; r < rows.count; r++) {
       const i = a[r];
-      const j = b[r];
+      const j = second[r];
       const px = normal[r] * normalX[r] + tangent[r] * normalY[r];
       const py = normal[r] * normalY[r] - tangent[r] * normalX[r];
       vx[i] += px * inverseMass[i];

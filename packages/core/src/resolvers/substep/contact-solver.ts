@@ -1,3 +1,4 @@
+import type { ContactBuffer } from '../../contacts/contact-buffer.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 import type { Simulation } from '../../world/simulation.ts';
 import { ContactMotion } from './contact-motion.ts';
@@ -5,8 +6,8 @@ import { ContactRows } from './contact-rows.ts';
 import { giveBackEdges, solveEdges } from './edge-contacts.ts';
 import { EdgeRows } from './edge-rows.ts';
 import { ImpulseMemory } from './impulse-memory.ts';
-import { RIGID, softness } from './softness.ts';
-import { giveBack, solveContacts, sumImpulses, takeBackPush } from './solve-contacts.ts';
+import { RIGID, type Softness, softness } from './softness.ts';
+import { giveBack, solveContacts, takeBackPush } from './solve-contacts.ts';
 
 /** Stiffness of contacts, of two particles and with scenery. Unit: Hz. */
 const HERTZ = 60;
@@ -46,10 +47,12 @@ export class ContactSolver {
    * @param h - Duration of a small step. Unit: s.
    */
   begin({ contacts, particles, sources }: Simulation, h: number): void {
-    this.#memory.recall(contacts, sources.links.length, h);
-    this.#rows.build(contacts, particles);
-    this.#edges.build(contacts, particles);
-    this.#motion.begin(this.#rows, this.#edges, particles);
+    const rows = this.#rows;
+    rows.reserve(contacts.count);
+    this.#memory.recall(contacts, rows, sources.links.length, h);
+    rows.build(contacts, particles);
+    this.#edges.build(contacts, rows, particles);
+    this.#motion.begin(contacts, rows, this.#edges, particles);
     if (h === this.#h) return;
     this.#h = h;
     this.#soft = softness(HERTZ, DAMPING_RATIO, h);
@@ -58,38 +61,42 @@ export class ContactSolver {
 
   /** Begins a small step with what the contacts did in the last one. Writes vx, vy. */
   repeat(particles: ParticleArrays): void {
-    if (this.#rows.count + this.#edges.count > 0) this.#motion.repeat(particles);
+    if (this.#rows.count > 0) this.#motion.repeat(particles);
   }
 
   /** One pass over the contacts. Reads x, y. Writes vx, vy. */
-  solve(particles: ParticleArrays): void {
-    const rows = this.#rows;
-    const edges = this.#edges;
-    if (rows.count + edges.count === 0) return;
+  solve({ contacts, particles }: Simulation): void {
+    if (this.#rows.count === 0) return;
     this.#motion.note(particles);
-    solveContacts(rows, 0, rows.pairCount, particles, this.#soft, this.#h, this.#calm);
-    solveEdges(edges, particles, this.#soft, this.#h, this.#calm);
-    solveContacts(rows, rows.pairCount, rows.count, particles, this.#scenerySoft, this.#h, this.#calm);
+    this.#pass(contacts, particles, this.#soft, this.#scenerySoft);
     this.#motion.learn(particles);
-    sumImpulses(rows);
-    sumImpulses(edges);
   }
 
   /** Takes out the speed by which penetrations were undone, then gives back what hits give back. Reads x, y. Writes vx, vy. */
   relax({ contacts, particles }: Simulation): void {
     const rows = this.#rows;
-    takeBackPush(rows, particles, contacts.penetration, this.#scenerySoft.biasRate);
-    solveContacts(rows, 0, rows.pairCount, particles, RIGID, this.#h, this.#calm);
-    solveEdges(this.#edges, particles, RIGID, this.#h, this.#calm);
-    solveContacts(rows, rows.pairCount, rows.count, particles, RIGID, this.#h, this.#calm);
-    giveBack(rows, particles, this.#resting);
-    giveBackEdges(this.#edges, particles, this.#resting);
+    takeBackPush(contacts, rows, particles, this.#scenerySoft.biasRate);
+    this.#edges.uncount(contacts);
+    this.#pass(contacts, particles, RIGID, RIGID);
+    giveBack(contacts, rows, particles, this.#resting);
+    giveBackEdges(this.#edges, contacts, particles, this.#resting);
   }
 
-  /** Keeps the impulses for the next step. Writes the contacts' impulses. */
+  /** Keeps the impulses for the next step. Reads the contacts. */
   keep({ contacts, sources }: Simulation): void {
-    this.#memory.keep(contacts, this.#rows, this.#edges, sources.links.length, this.#h);
-    this.#rows.report(contacts);
-    this.#edges.report(contacts);
+    this.#edges.report(this.#rows);
+    this.#memory.keep(contacts, this.#rows, sources.links.length, this.#h);
+  }
+
+  /** What cannot give way has the last word: scenery. */
+  #pass(contacts: ContactBuffer, particles: ParticleArrays, soft: Softness, scenerySoft: Softness): void {
+    const { count, sceneryStart, sceneryEnd } = contacts;
+    const rows = this.#rows;
+    const h = this.#h;
+    const calm = this.#calm;
+    solveContacts(contacts, rows, 0, sceneryStart, particles, soft, h, calm);
+    solveContacts(contacts, rows, sceneryEnd, count, particles, soft, h, calm);
+    solveEdges(this.#edges, contacts, particles, soft, h, calm);
+    solveContacts(contacts, rows, sceneryStart, sceneryEnd, particles, scenerySoft, h, calm);
   }
 }

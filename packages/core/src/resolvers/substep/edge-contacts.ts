@@ -1,3 +1,4 @@
+import type { ContactBuffer } from '../../contacts/contact-buffer.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 import type { EdgeRows } from './edge-rows.ts';
 import type { Softness } from './softness.ts';
@@ -9,7 +10,8 @@ import { FASTEST_PUSH, OVER_RELAXATION } from './solve-contacts.ts';
  * @param calm - Speed along the normal below which a contact is calm. Unit: m/s.
  */
 export function solveEdges(
-  { count, a, b, e, share, normalX, normalY, offset, mass, friction, normal, tangent }: EdgeRows,
+  { count, a, b, e, share, normalX, normalY, offset, mass, friction, normal, tangent, contact }: EdgeRows,
+  { impulse, tangentImpulse }: ContactBuffer,
   { x, y, vx, vy, inverseMass }: ParticleArrays,
   { biasRate, massScale, impulseScale }: Softness,
   h: number,
@@ -38,6 +40,7 @@ export function solveEdges(
         : before * kept - response * massScale * (speed + Math.max(gap * biasRate, -FASTEST_PUSH));
     const after = Math.max(wanted, 0);
     normal[r] = after;
+    impulse[contact[r]] += after;
     let px = (after - before) * nx;
     let py = (after - before) * ny;
     const mu = friction[r];
@@ -46,6 +49,7 @@ export function solveEdges(
       const most = mu * after;
       const grip = Math.max(-most, Math.min(most, held - mass[r] * (ux * ny - uy * nx)));
       tangent[r] = grip;
+      tangentImpulse[contact[r]] += grip;
       px += (grip - held) * ny;
       py -= (grip - held) * nx;
     }
@@ -63,12 +67,13 @@ export function solveEdges(
 
 /** `giveBack` for contacts with edges. Reads the rows, inverseMass. Writes vx, vy, and the sums of the impulses. */
 export function giveBackEdges(
-  { count, a, b, e, share, normalX, normalY, mass, restitution, separating, normalSum }: EdgeRows,
+  { count, a, b, e, share, normalX, normalY, mass, restitution, separating, contact }: EdgeRows,
+  { impulse }: ContactBuffer,
   { vx, vy, inverseMass }: ParticleArrays,
   resting: number,
 ): void {
   for (let r = 0; r < count; r++) {
-    if (restitution[r] === 0 || separating[r] >= -resting || normalSum[r] === 0) continue;
+    if (restitution[r] === 0 || separating[r] >= -resting || impulse[contact[r]] === 0) continue;
     const i = a[r];
     const j = b[r];
     const k = e[r];
@@ -76,12 +81,12 @@ export function giveBackEdges(
     const ux = vx[i] - vx[j] - t * (vx[k] - vx[j]);
     const uy = vy[i] - vy[j] - t * (vy[k] - vy[j]);
     const speed = ux * normalX[r] + uy * normalY[r];
-    const J = Math.max(-normalSum[r], -mass[r] * (speed + restitution[r] * separating[r]));
+    const J = Math.max(-impulse[contact[r]], -mass[r] * (speed + restitution[r] * separating[r]));
     const px = J * normalX[r];
     const py = J * normalY[r];
     const wj = inverseMass[j] * (1 - t);
     const wk = inverseMass[k] * t;
-    normalSum[r] += J;
+    impulse[contact[r]] += J;
     vx[i] += px * inverseMass[i];
     vy[i] += py * inverseMass[i];
     vx[j] -= px * wj;

@@ -28,14 +28,11 @@ export class EdgeRows {
   /** Impulses of one small step, along the normal and the tangent (normalY, -normalX). Unit: N·s. */
   normal: Float64Array = new Float64Array(16);
   tangent: Float64Array = new Float64Array(16);
-  /** Sums of these over the step. Unit: N·s. */
-  normalSum: Float64Array = new Float64Array(16);
-  tangentSum: Float64Array = new Float64Array(16);
   /** Index of the contact. */
   contact: Int32Array = new Int32Array(16);
 
-  /** Reads the contacts and x, y, vx, vy, inverseMass. Writes the rows. */
-  build(contacts: ContactBuffer, { x, y, vx, vy, inverseMass }: ParticleArrays): void {
+  /** Reads the contacts, their impulses of a small step, and x, y, vx, vy, inverseMass. Writes the rows. */
+  build(contacts: ContactBuffer, before: Impulses, { x, y, vx, vy, inverseMass }: ParticleArrays): void {
     const { count, a, b, normalX, normalY, edgeEnd, edgeShare } = contacts;
     let r = 0;
     for (let c = 0; c < count; c++) {
@@ -64,12 +61,11 @@ export class EdgeRows {
       this.friction[r] = contacts.friction[c];
       this.restitution[r] = contacts.restitution[c];
       this.separating[r] = ux * nx + uy * ny;
-      this.normal[r] = contacts.impulse[c];
-      this.tangent[r] = contacts.tangentImpulse[c];
+      this.normal[r] = before.normal[c];
+      this.tangent[r] = before.tangent[c];
       this.contact[r++] = c;
+      before.normal[c] = before.tangent[c] = 0; // until `report`
     }
-    this.normalSum.fill(0, 0, r);
-    this.tangentSum.fill(0, 0, r);
     this.count = r;
   }
 
@@ -91,12 +87,22 @@ export class EdgeRows {
     }
   }
 
-  /** Hands the impulses back. Writes impulse and tangentImpulse of the contacts. */
-  report({ impulse, tangentImpulse }: ContactBuffer): void {
-    const { count, contact, normalSum, tangentSum } = this;
-    for (let r = 0; r < count; r++) {
-      impulse[contact[r]] = normalSum[r];
-      tangentImpulse[contact[r]] = tangentSum[r];
+  /** Takes the impulses of the last small step off the sums: the pass that follows counts them again. */
+  uncount({ impulse, tangentImpulse }: ContactBuffer): void {
+    for (let r = 0; r < this.count; r++) {
+      impulse[this.contact[r]] -= this.normal[r];
+      tangentImpulse[this.contact[r]] -= this.tangent[r];
+    }
+  }
+
+  /** Hands the impulses of a small step back. */
+  report({ normal, tangent }: Impulses): void {
+    for (let r = 0; r < this.count; r++) {
+      normal[this.contact[r]] = this.normal[r];
+      tangent[this.contact[r]] = this.tangent[r];
     }
   }
 }
+
+/** Impulses of a small step, by contact. */
+type Impulses = Readonly<Record<'normal' | 'tangent', Float64Array>>;

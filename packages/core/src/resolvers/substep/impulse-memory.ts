@@ -1,5 +1,6 @@
 import type { ContactBuffer } from '../../contacts/contact-buffer.ts';
-import type { Impulses } from './solve-contacts.ts';
+import { growColumns } from '../../math/columns.ts';
+import type { ContactRows } from './contact-rows.ts';
 
 /**
  * The impulses of the last step, for the next to begin with. A contact is known again by its source, its slots and its edge: both
@@ -9,19 +10,23 @@ export class ImpulseMemory {
   #count = 0;
   #linkCount = 0;
   #h = 1;
-  #a = new Int32Array(0);
-  #b = new Int32Array(0);
-  #edgeEnd = new Int32Array(0);
-  #source = new Int32Array(0);
-  #normal = new Float64Array(0);
-  #tangent = new Float64Array(0);
+  readonly #kept = {
+    a: new Int32Array(64),
+    b: new Int32Array(64),
+    edgeEnd: new Int32Array(64),
+    source: new Int32Array(64),
+    normal: new Float64Array(64),
+    tangent: new Float64Array(64),
+  };
 
   /**
-   * Hands each contact what it had in the last small step. Reads a, b, edgeEnd, source. Writes impulse, tangentImpulse.
+   * Hands each contact what it had in the last small step. Reads a, b, edgeEnd, source. Writes normal, tangent of the rows.
    * @param linkCount - How many sources are links: the others are known by their number after these.
    */
-  recall(contacts: ContactBuffer, linkCount: number, h: number): void {
-    const { count, a, b, edgeEnd, source, impulse, tangentImpulse } = contacts;
+  recall(contacts: ContactBuffer, rows: ContactRows, linkCount: number, h: number): void {
+    const { count, a, b, edgeEnd, source } = contacts;
+    const { normal, tangent } = rows;
+    const kept = this.#kept;
     const scale = h / this.#h; // the same forces, over another time
     const shift = linkCount - this.#linkCount;
     let m = 0;
@@ -29,50 +34,30 @@ export class ImpulseMemory {
       let order = -1;
       for (; m < this.#count; m++) {
         order =
-          this.#source[m] + shift - source[c] ||
-          this.#a[m] - a[c] ||
-          this.#b[m] - b[c] ||
-          this.#edgeEnd[m] - edgeEnd[c];
+          kept.source[m] + shift - source[c] || kept.a[m] - a[c] || kept.b[m] - b[c] || kept.edgeEnd[m] - edgeEnd[c];
         if (order >= 0) break;
       }
-      if (order !== 0) continue;
-      impulse[c] = this.#normal[m] * scale;
-      tangentImpulse[c] = this.#tangent[m++] * scale;
+      const known = order === 0 && m < this.#count;
+      normal[c] = known ? kept.normal[m] * scale : 0;
+      tangent[c] = known ? kept.tangent[m] * scale : 0;
+      if (known) m++;
     }
   }
 
-  /** Reads the contacts and the rows of two kinds that were made of them. Writes the memory. */
-  keep(contacts: ContactBuffer, rows: Impulses, edges: Impulses, linkCount: number, h: number): void {
-    const { count, a, b, edgeEnd, source } = contacts;
-    if (this.#a.length < count) this.#reserve(count * 2);
+  /** Reads the contacts and their rows. Writes the memory. */
+  keep({ count, a, b, edgeEnd, source }: ContactBuffer, rows: ContactRows, linkCount: number, h: number): void {
+    const kept = this.#kept;
+    if (kept.a.length < count) growColumns(kept, count * 2);
     this.#count = count;
     this.#linkCount = linkCount;
     this.#h = h;
     for (let c = 0; c < count; c++) {
-      this.#a[c] = a[c];
-      this.#b[c] = b[c];
-      this.#edgeEnd[c] = edgeEnd[c];
-      this.#source[c] = source[c];
+      kept.a[c] = a[c];
+      kept.b[c] = b[c];
+      kept.edgeEnd[c] = edgeEnd[c];
+      kept.source[c] = source[c];
+      kept.normal[c] = rows.normal[c];
+      kept.tangent[c] = rows.tangent[c];
     }
-    this.#normal.fill(0, 0, count);
-    this.#tangent.fill(0, 0, count);
-    this.#note(rows);
-    this.#note(edges);
-  }
-
-  #note({ count, contact, normal, tangent }: Impulses): void {
-    for (let r = 0; r < count; r++) {
-      this.#normal[contact[r]] = normal[r];
-      this.#tangent[contact[r]] = tangent[r];
-    }
-  }
-
-  #reserve(count: number): void {
-    this.#a = new Int32Array(count);
-    this.#b = new Int32Array(count);
-    this.#edgeEnd = new Int32Array(count);
-    this.#source = new Int32Array(count);
-    this.#normal = new Float64Array(count);
-    this.#tangent = new Float64Array(count);
   }
 }

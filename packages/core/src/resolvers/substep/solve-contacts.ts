@@ -1,3 +1,4 @@
+import type { ContactBuffer } from '../../contacts/contact-buffer.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 import type { ContactRows } from './contact-rows.ts';
 import type { Softness } from './softness.ts';
@@ -14,11 +15,12 @@ export const OVER_RELAXATION = 1.2;
 /**
  * One pass over rows (projected Gauss-Seidel). An open gap may close within the small step and no more; a penetration is undone
  * softly; a hit is stopped at once. Friction holds up to its coefficient times the normal impulse, and then slides.
- * Reads the rows, x, y, inverseMass. Writes vx, vy, and the impulses of the rows.
+ * Reads the contacts, the rows, x, y, inverseMass. Writes vx, vy, the impulses of the rows; adds to those of the contacts.
  * @param calm - Speed along the normal below which a contact is calm. Unit: m/s.
  */
 export function solveContacts(
-  { a, b, normalX, normalY, offset, mass, friction, surfaceSpeed, normal, tangent }: ContactRows,
+  { a, normalX, normalY, friction, surfaceSpeed, impulse, tangentImpulse }: ContactBuffer,
+  { second, offset, mass, normal, tangent }: ContactRows,
   start: number,
   end: number,
   { x, y, vx, vy, inverseMass }: ParticleArrays,
@@ -30,7 +32,7 @@ export function solveContacts(
   const kept = 1 - impulseScale;
   for (let r = start; r < end; r++) {
     const i = a[r];
-    const j = b[r];
+    const j = second[r];
     const nx = normalX[r];
     const ny = normalY[r];
     const ux = vx[i] - vx[j];
@@ -46,6 +48,7 @@ export function solveContacts(
           (before > 0 ? response * massScale : response) * (speed + Math.max(gap * biasRate, -FASTEST_PUSH));
     const after = Math.max(wanted, 0);
     normal[r] = after;
+    impulse[r] += after;
     let px = (after - before) * nx;
     let py = (after - before) * ny;
     const mu = friction[r];
@@ -55,6 +58,7 @@ export function solveContacts(
       const sliding = ux * ny - uy * nx - surfaceSpeed[r];
       const grip = Math.max(-most, Math.min(most, held - mass[r] * sliding));
       tangent[r] = grip;
+      tangentImpulse[r] += grip;
       px += (grip - held) * ny;
       py -= (grip - held) * nx;
     }
@@ -67,34 +71,25 @@ export function solveContacts(
   }
 }
 
-/** What rows of contacts hold. */
-export type Impulses = Pick<ContactRows, 'count' | 'contact' | 'normal' | 'tangent' | 'normalSum' | 'tangentSum'>;
-
-/** Adds the impulses of one small step to their sums. */
-export function sumImpulses({ count, normal, tangent, normalSum, tangentSum }: Impulses): void {
-  for (let r = 0; r < count; r++) {
-    normalSum[r] += normal[r];
-    tangentSum[r] += tangent[r];
-  }
-}
-
 /**
  * Takes back the speed at which two were pushed out of each other, where the contact holds nothing any more that a pass could lessen: two
- * that were in each other do not fly apart. Reads the rows, inverseMass. Writes vx, vy.
- * @param penetration - Of each contact, when it was found. Unit: m.
- * @param biasRate - Share of it that was undone in a second. Unit: 1/s.
+ * that were in each other do not fly apart. The impulses of the last small step are taken off the sums: the pass that follows counts
+ * them again. Reads the contacts, the rows, inverseMass. Writes vx, vy.
+ * @param biasRate - Share of a penetration that was undone in a second. Unit: 1/s.
  */
 export function takeBackPush(
-  { count, a, b, normalX, normalY, mass, normal, normalSum, contact }: ContactRows,
+  { count, a, normalX, normalY, penetration, impulse, tangentImpulse }: ContactBuffer,
+  { second, mass, normal, tangent }: ContactRows,
   { vx, vy, inverseMass }: ParticleArrays,
-  penetration: Float64Array,
   biasRate: number,
 ): void {
   for (let r = 0; r < count; r++) {
-    const depth = penetration[contact[r]];
-    if (normal[r] > 0 || normalSum[r] === 0 || depth <= 0) continue;
+    impulse[r] -= normal[r];
+    tangentImpulse[r] -= tangent[r];
+    const depth = penetration[r];
+    if (normal[r] > 0 || impulse[r] === 0 || depth <= 0) continue;
     const i = a[r];
-    const j = b[r];
+    const j = second[r];
     const nx = normalX[r];
     const ny = normalY[r];
     const speed = (vx[i] - vx[j]) * nx + (vy[i] - vy[j]) * ny;
@@ -109,23 +104,24 @@ export function takeBackPush(
 
 /**
  * Gives back a share of the closing speed that the step began with, where two hit each other in it. Reads the rows, inverseMass.
- * Writes vx, vy, and the sums of the impulses.
+ * Writes vx, vy, and the contacts' impulses.
  * @param resting - Closing speed up to which a contact rests. Unit: m/s.
  */
 export function giveBack(
-  { count, a, b, normalX, normalY, mass, restitution, separating, normalSum }: ContactRows,
+  { count, a, normalX, normalY, restitution, impulse }: ContactBuffer,
+  { second, mass, separating }: ContactRows,
   { vx, vy, inverseMass }: ParticleArrays,
   resting: number,
 ): void {
   for (let r = 0; r < count; r++) {
-    if (restitution[r] === 0 || separating[r] >= -resting || normalSum[r] === 0) continue;
+    if (restitution[r] === 0 || separating[r] >= -resting || impulse[r] === 0) continue;
     const i = a[r];
-    const j = b[r];
+    const j = second[r];
     const nx = normalX[r];
     const ny = normalY[r];
     const speed = (vx[i] - vx[j]) * nx + (vy[i] - vy[j]) * ny;
-    const J = Math.max(-normalSum[r], -mass[r] * (speed + restitution[r] * separating[r]));
-    normalSum[r] += J;
+    const J = Math.max(-impulse[r], -mass[r] * (speed + restitution[r] * separating[r]));
+    impulse[r] += J;
     vx[i] += J * inverseMass[i] * nx;
     vy[i] += J * inverseMass[i] * ny;
     vx[j] -= J * inverseMass[j] * nx;

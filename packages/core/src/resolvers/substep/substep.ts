@@ -70,7 +70,7 @@ class SubstepResolver implements Resolver {
       accelerateAll(particles, gravity, h);
       this.#contacts.repeat(particles);
       this.#links.solve(particles, h);
-      this.#contacts.solve(particles);
+      this.#contacts.solve(simulation);
       if (!move(particles, h)) return false;
     }
     this.#contacts.relax(simulation);
