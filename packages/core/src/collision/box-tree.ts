@@ -1,67 +1,75 @@
-/** How many boxes a group has. */
-const FANOUT = 4;
+/** How many boxes a group has: a power of two. */
+const FANOUT = 8;
 
 /** Numbers a box: minX, minY, maxX, maxY. */
 const SIDES = 4;
 
 /**
- * Boxes that do not change, in groups of four neighbours, these again in groups of four, and so on: those in a place are found
+ * Boxes that do not change, in groups of eight neighbours, these again in groups of eight, and so on: those in a place are found
  * without a look at all the others. Boxes that follow each other should lie near each other, as the edges of a chain do. Everything
  * stands in two flat arrays, level by level.
  */
 export class BoxTree {
   /** Numbers of the boxes found last, in ascending order. */
   readonly found: Int32Array;
-  #count = 0;
   /** The boxes themselves, then the boxes around each group, and so on up to a single one. */
   readonly #boxes: Float64Array;
   /** Where each level begins, and where the last ends. */
-  readonly #starts: number[] = [0];
-  /** The place that is searched. */
-  readonly #place = new Float64Array(SIDES);
+  readonly #starts: Int32Array;
+  readonly #levels: number;
 
   /** @param boxes - minX, minY, maxX, maxY of each box, one after the other. Unit: m. */
   constructor(boxes: Float64Array) {
     const count = boxes.length / SIDES;
     this.found = new Int32Array(count);
+    const starts = [0, count];
     let end = count;
-    this.#starts.push(end);
     for (let size = count; size > FANOUT; ) {
       size = Math.ceil(size / FANOUT);
       end += size;
-      this.#starts.push(end);
+      starts.push(end);
     }
+    this.#starts = Int32Array.from(starts);
+    this.#levels = starts.length - 1;
     this.#boxes = new Float64Array(end * SIDES).fill(Infinity);
     this.#boxes.set(boxes);
-    for (let level = 1; level < this.#starts.length - 1; level++) this.#surround(level);
+    for (let level = 1; level < this.#levels; level++) this.#surround(level);
   }
 
   /** Finds the boxes that overlap or touch a place. @returns How many there are in `found`. */
   find(minX: number, minY: number, maxX: number, maxY: number): number {
-    this.#place[0] = minX;
-    this.#place[1] = minY;
-    this.#place[2] = maxX;
-    this.#place[3] = maxY;
-    this.#count = 0;
-    const top = this.#starts.length - 2;
-    this.#search(top, this.#starts[top], this.#starts[top + 1]);
-    return this.#count;
-  }
-
-  #search(level: number, start: number, end: number): void {
     const boxes = this.#boxes;
-    const place = this.#place;
-    for (let node = start; node < end; node++) {
-      const b = node * SIDES;
-      if (boxes[b] > place[2] || boxes[b + 1] > place[3] || boxes[b + 2] < place[0] || boxes[b + 3] < place[1])
-        continue;
-      if (level === 0) {
-        this.found[this.#count++] = node;
+    const starts = this.#starts;
+    const found = this.found;
+    let count = 0;
+    let level = this.#levels - 1;
+    let node = starts[level];
+    let end = starts[level + 1];
+    // Down into each group that overlaps; at the end of a group up again and on, as far as groups end there.
+    for (;;) {
+      if (node === end) {
+        if (++level >= this.#levels) return count;
+        node = starts[level] + Math.floor((node - 1 - starts[level - 1]) / FANOUT) + 1;
+        end = this.#endOfGroup(level, node - 1);
         continue;
       }
-      const first = this.#starts[level - 1] + (node - this.#starts[level]) * FANOUT;
-      this.#search(level - 1, first, Math.min(first + FANOUT, this.#starts[level]));
+      const b = node * SIDES;
+      if (boxes[b] > maxX || boxes[b + 1] > maxY || boxes[b + 2] < minX || boxes[b + 3] < minY) {
+        node++;
+      } else if (level === 0) {
+        found[count++] = node++;
+      } else {
+        node = starts[level - 1] + (node - starts[level]) * FANOUT;
+        level--;
+        end = this.#endOfGroup(level, node);
+      }
     }
+  }
+
+  /** Where the group ends in which a node stands. */
+  #endOfGroup(level: number, node: number): number {
+    const start = this.#starts[level];
+    return Math.min(this.#starts[level + 1], node + FANOUT - ((node - start) & (FANOUT - 1)));
   }
 
   /** Writes the boxes around the groups of the level below. */

@@ -1,4 +1,5 @@
 import type { Vec2 } from '../math/vec2.ts';
+import { Edges } from './edges.ts';
 
 /** The area that points enclose: positive where they run counter-clockwise. Unit: m². */
 export function signedArea(points: readonly Readonly<Vec2>[]): number {
@@ -11,9 +12,15 @@ export function signedArea(points: readonly Readonly<Vec2>[]): number {
 /** The first two edges, by the points they begin at, that meet other than at the corner which neighbours share. */
 export function findCrossing(points: readonly Readonly<Vec2>[]): [number, number] | undefined {
   const { length } = points;
+  const { tree } = new Edges(points, true);
   for (let e = 0; e < length; e++) {
     const e2 = (e + 1) % length;
-    for (let f = e + 1; f < length; f++) {
+    const { x, y } = points[e];
+    const { x: x2, y: y2 } = points[e2];
+    const near = tree.find(Math.min(x, x2), Math.min(y, y2), Math.max(x, x2), Math.max(y, y2));
+    for (let n = 0; n < near; n++) {
+      const f = tree.found[n];
+      if (f <= e) continue;
       const f2 = (f + 1) % length;
       if (
         e2 === f ? foldsBack(points[e], points[f], points[f2]) : f2 === e && foldsBack(points[f], points[e], points[e2])

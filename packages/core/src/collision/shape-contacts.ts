@@ -15,6 +15,9 @@ export const EARLY_SHARE = 0.01;
 /** A particle that goes farther than this share of its radius within the time looked ahead is followed on its way. */
 const FAST_SHARE = 0.125;
 
+/** How far around a particle that is near something is looked, in terms of how far it reaches; what is far from all looks farther. */
+const ROOM = 1.25;
+
 /**
  * Finds the contacts of particles with scenery. Of each particle it is kept how far off everything was when it was last looked
  * at: until it has gone so far nothing can touch it. So only what is near scenery costs more than a glance.
@@ -48,6 +51,7 @@ export class ShapeContacts implements SurfaceReport {
    * Reads x, y, vx, vy, radius, inverseMass, restitution, friction, category, mask, sensor, asleep. Adds the contacts of all movable
    * particles that are awake, shape by shape, and what sensors find.
    * @param firstSource - Number of the first shape among the sources of contacts.
+   * @param sensorsAlone - Leaves the contacts out.
    */
   find(
     shapes: readonly Shape[],
@@ -55,6 +59,7 @@ export class ShapeContacts implements SurfaceReport {
     particles: ParticleArrays,
     contacts: ContactBuffer,
     dt: number,
+    sensorsAlone = false,
   ): void {
     const { count, x, y, vx, vy, radius, inverseMass, asleep } = particles;
     const { lookAhead, margin } = contacts;
@@ -69,9 +74,10 @@ export class ShapeContacts implements SurfaceReport {
       const way = (Math.abs(vx[i]) + Math.abs(vy[i])) * lookAhead + margin;
       const reach = radius[i] * (1 + EARLY_SHARE) + way + POINT_RADIUS;
       if (gone + reach < free[i] || inverseMass[i] === 0 || asleep[i] === 1) continue;
-      this.#look(i, Math.max(reach, free[i]) * 2, firstSource, particles, dt);
+      const around = free[i] > reach ? free[i] * 2 : reach * ROOM;
+      this.#look(i, around, firstSource, particles, dt);
     }
-    this.#report(firstSource, particles);
+    if (!sensorsAlone) this.#report(firstSource, particles);
   }
 
   add(distance: number, normalX: number, normalY: number): void {

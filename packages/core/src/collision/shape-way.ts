@@ -16,6 +16,9 @@ const MOST_TURNS = 8;
 /** A plane that the particle is behind of by more than this share of its radius, as the way begins, is not in front of it. */
 const BEHIND_SHARE = 0.1;
 
+/** A way shorter than this leads nowhere. Unit: m. */
+const SHORTEST = 1e-12;
+
 /** Steps in which a shape without `sweep` is walked up to, at the most. */
 const MOST_STEPS = 256;
 
@@ -71,6 +74,7 @@ export class ShapeWay {
     let left = lookAhead;
     for (let turn = 0; ; turn++) {
       sweep.begin(px, py, this.#dx, this.#dy, 0);
+      if (sweep.length < SHORTEST) return;
       const hit = this.#meetFirst(i, found);
       if (turn === 0) this.#tellPassed(i, found);
       if (hit < 0) return;
@@ -90,7 +94,7 @@ export class ShapeWay {
       }
       const closing = this.#dx * normalX + this.#dy * normalY;
       const atFirst = (vx[i] * normalX + vy[i] * normalY) * left;
-      this.#places.add(distance, normalX, normalY, Math.min(1, Math.max(0, closing / atFirst)));
+      this.#places.add(distance, normalX, normalY, atFirst < 0 ? Math.min(1, Math.max(0, closing / atFirst)) : 0);
       left *= 1 - time;
       this.#dx *= 1 - time;
       this.#dy *= 1 - time;

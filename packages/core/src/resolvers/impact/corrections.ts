@@ -190,7 +190,7 @@ export class Corrections {
   }
 }
 
-/** Finds the contacts of links and of a game's own generators: of all that is not settled on the way. */
+/** Finds the contacts of links and of a game's own generators: of all that is not settled on the way; and what sensors find. */
 function gatherOthers(particles: ParticleStore, sources: ContactSources, contacts: ContactBuffer, dt: number): void {
   const { links } = sources;
   const generators = sources.generators.list;
@@ -198,6 +198,7 @@ function gatherOthers(particles: ParticleStore, sources: ContactSources, contact
     contacts.currentSource = l;
     links[l].addContacts(particles, contacts, dt);
   }
+  sources.findSensors(contacts, dt);
   for (let g = 0; g < generators.length; g++) {
     if (generators[g] instanceof DiscContacts) continue;
     contacts.currentSource = links.length + sources.shapes.list.length + g;

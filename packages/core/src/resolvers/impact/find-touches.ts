@@ -1,3 +1,4 @@
+import { mayPush, mayPushShape } from '../../collision/filter.ts';
 import type { Shape } from '../../collision/shape.ts';
 import type { ContactBuffer } from '../../contacts/contact-buffer.ts';
 import type { Pairs } from './boxes.ts';
@@ -22,7 +23,7 @@ export function findDiscTouches(
     const dx = x[i] - x[j];
     const dy = y[i] - y[j];
     const reach = radius[i] + radius[j] + nearOf(Math.min(radius[i], radius[j]), crowded);
-    if (dx * dx + dy * dy > reach * reach || contacts.areLinked(i, j)) continue;
+    if (dx * dx + dy * dy > reach * reach || contacts.areLinked(i, j) || !mayPush(particles, i, j)) continue;
     touches.addDiscs(i, j, source, particles);
   }
 }
@@ -45,6 +46,7 @@ export function findShapeTouches(
       const near = nearOf(radius[i], crowded);
       const reach = radius[i] + near;
       if (x[i] < minX - reach || x[i] > maxX + reach || y[i] < minY - reach || y[i] > maxY + reach) continue;
+      if (!mayPushShape(particles, i, shape)) continue;
       const { gap, normalX, normalY } = places;
       const found = places.find(shape, x[i], y[i], radius[i], near);
       for (let p = 0; p < found; p++) {

@@ -1,3 +1,4 @@
+import { mayPush, mayPushShape } from '../../collision/filter.ts';
 import type { Shape } from '../../collision/shape.ts';
 import type { ContactBuffer } from '../../contacts/contact-buffer.ts';
 import { LeastTree, leastLeaf, setLeaf } from '../severity/least-tree.ts';
@@ -67,7 +68,7 @@ export class Schedule {
     for (let p = 0; p < this.pairs.count; p++) {
       const i = this.pairs.slots[p * 2];
       const j = this.pairs.slots[p * 2 + 1];
-      if (this.#contacts.areLinked(i, j)) continue;
+      if (this.#contacts.areLinked(i, j) || !mayPush(this.#flight.particles, i, j)) continue;
       const time = this.#discPath.findTouch(i, j, 0);
       this.#note(i, j, time);
       this.#note(j, i, time);
@@ -114,7 +115,7 @@ export class Schedule {
     const collides = this.#discsCollide && radius[i] > 0;
     for (let j = 0; collides && j < count; j++) {
       if (!boxes.overlap(i, j) || i === j || radius[j] === 0 || inverseMass[i] + inverseMass[j] === 0) continue;
-      if (this.#contacts.areLinked(i, j)) continue;
+      if (this.#contacts.areLinked(i, j) || !mayPush(this.#flight.particles, i, j)) continue;
       const time = now + this.#discPath.findTouch(i, j, now);
       this.#note(i, j, time);
       if (this.#note(j, i, time)) this.#update(j);
@@ -129,6 +130,7 @@ export class Schedule {
     for (let s = 0; s < shapes.length; s++) {
       const shape = shapes[s];
       if (minX[i] > shape.maxX || maxX[i] < shape.minX || minY[i] > shape.maxY || maxY[i] < shape.minY) continue;
+      if (!mayPushShape(this.#flight.particles, i, shape)) continue;
       this.#note(i, ~s, now + this.#shapePath.findTouch(i, shape, now));
     }
   }
