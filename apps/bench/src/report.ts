@@ -3,8 +3,10 @@ import { createRequire } from 'node:module';
 import { cpus } from 'node:os';
 import { join } from 'node:path';
 import type { Engine } from './engine.ts';
+import { engines } from './engines/index.ts';
 import type { Result } from './runner.ts';
 import type { Case, Measure, Target, Workload } from './workload.ts';
+import { workloads } from './workloads/index.ts';
 
 /** Results of one case, with what is needed to read them. */
 export interface CaseReport {
@@ -38,20 +40,20 @@ export interface WorkloadReport {
 
 /** A report that grows case by case. */
 export function makeReport(
-  engines: readonly Engine[],
+  takePart: readonly Engine[],
   rounds: number,
 ): { data: Report; add: (workload: Workload, which: Case, results: readonly Result[]) => void } {
   const machine = `${cpus()[0]?.model ?? 'unknown processor'}, ${cpus().length} cores, Node.js ${process.version.slice(1)}`;
   const cases: CaseReport[] = [];
-  const workloads: Record<string, WorkloadReport> = {};
-  const described = engines.map((engine): [string, EngineReport] => {
+  const described: Record<string, WorkloadReport> = {};
+  const engineReports = takePart.map((engine): [string, EngineReport] => {
     const { id, language, settings } = engine;
     return [id, { version: versionOf(engine), language, settings }];
   });
   return {
-    data: { engines: Object.fromEntries(described), workloads, cases },
+    data: { engines: Object.fromEntries(engineReports), workloads: described, cases },
     add({ id, title, about, measures }, { name, n, targets = {} }, results) {
-      workloads[id] = { title, about: about.replaceAll('\n', ' '), measures };
+      described[id] = { title, about: about.replaceAll('\n', ' '), measures };
       const common = Object.entries(measures).flatMap(([key, { target }]) => (target ? [[key, target] as const] : []));
       cases.push({
         ...{ workload: id, name, n, rounds, machine, results },
@@ -70,13 +72,19 @@ function versionOf({ package: name }: Engine): string {
   throw new Error(`bench: ${name} is not installed. Run the install of the workspace.`);
 }
 
-/** The cases of the newer report, and those of the older that did not run again. */
+/** The cases of the newer report and those of the older that did not run again, in the order of the suite; what it no longer has is left out. */
 export function mergeReports(older: Report, newer: Report): Report {
-  const again = (old: CaseReport): boolean =>
-    newer.cases.some(({ workload, name }) => workload === old.workload && name === old.name);
+  const all = { ...older.workloads, ...newer.workloads };
+  const cases = workloads.flatMap(({ id, cases }) =>
+    cases.flatMap(({ name }) => {
+      const isIt = (one: CaseReport): boolean => one.workload === id && one.name === name;
+      return newer.cases.find(isIt) ?? older.cases.find(isIt) ?? [];
+    }),
+  );
+  const known = { ...older.engines, ...newer.engines };
   return {
-    engines: { ...older.engines, ...newer.engines },
-    workloads: { ...older.workloads, ...newer.workloads },
-    cases: [...older.cases.filter((old) => !again(old)), ...newer.cases],
+    engines: Object.fromEntries(engines.flatMap(({ id }) => (known[id] ? [[id, known[id]]] : []))),
+    workloads: Object.fromEntries(workloads.flatMap(({ id }) => (all[id] ? [[id, all[id]]] : []))),
+    cases,
   };
 }

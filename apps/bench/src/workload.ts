@@ -29,6 +29,8 @@ export interface Case {
 export interface Bench {
   readonly engine: Engine;
   build(scene: Scene, effort?: Effort): Simulation;
+  /** Takes steps. */
+  run(simulation: Simulation, steps: number): void;
   /** Takes steps and returns the milliseconds of each. What `after` does between two steps is not counted. */
   time(simulation: Simulation, steps: number, after?: (step: number) => void): Float64Array;
 }

@@ -29,6 +29,9 @@ async function briefBench(engine: Engine): Promise<{ bench: Bench; built: [Scene
       built.push([scene, simulation]);
       return simulation;
     },
+    run(simulation, steps) {
+      for (let step = 0; step < Math.min(steps, STEPS); step++) simulation.step();
+    },
     time(simulation, steps, after) {
       const times = new Float64Array(Math.min(steps, STEPS)).fill(1);
       times.forEach((_, step) => {

@@ -21,14 +21,14 @@ dash if there is none. The time is the median of 300 steps after that.`,
     { name: '2000', n: 2000 },
     { name: '8000', n: 8000 },
   ],
-  run({ build, time }, { n }) {
+  run({ build, run, time }, { n }) {
     const scene = pileScene(n, { sleep: true });
     const simulation = build(scene);
     const before = new Float64Array(2 * n);
     const positions = new Float64Array(2 * n);
     for (let step = 0; step < STEPS; step += LOOK) {
       before.set(positions);
-      time(simulation, LOOK);
+      run(simulation, LOOK);
       simulation.readPositions(positions);
       if (positions.every((value, i) => value === before[i])) {
         return { step: 1000 * median(time(simulation, TIMED)), after: step * scene.dt };

@@ -38,10 +38,10 @@ as a share of half a side. Deformation: the greatest error of a side; rigid bodi
     { name: '100', n: 100, quick: true },
     { name: '500', n: 500 },
   ],
-  run({ build, time }, { n }) {
+  run({ build, run, time }, { n }) {
     const scene = cratesScene(n);
     const simulation = build(scene);
-    time(simulation, STEPS - TIMED);
+    run(simulation, STEPS - TIMED);
     const times = time(simulation, TIMED);
     const corners = new Float64Array(8 * n);
     simulation.readCorners?.(corners);

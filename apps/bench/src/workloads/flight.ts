@@ -33,11 +33,11 @@ change of height, which should be alike.`,
     { name: '10 000 by function', n: 10_000, by: 'function', quick: true, targets: { particle: { limit: 15 } } },
     { name: '100 000 by function', n: 100_000, by: 'function', targets: { particle: { limit: 15 } } },
   ],
-  run({ build, time }, { n, by }) {
+  run({ build, run, time }, { n, by }) {
     const scene = flightScene(n, by);
     const simulation = build(scene);
     const steps = Math.max(60, Math.min(600, PARTICLE_STEPS / n));
-    time(simulation, 60);
+    run(simulation, 60);
     const positions = new Float64Array(2 * n);
     simulation.readPositions(positions);
     const fallen = scene.discs.reduce((sum, { y }, i) => sum + y - positions[2 * i + 1], 0) / n;

@@ -15,14 +15,14 @@ large that nothing is collected in between. Memory inside WASM is not counted.`,
   measures: { bytes: { title: 'a step', unit: 'B', better: 'less', target: { limit: 100 } } },
   cases: [{ name: '500', n: 500, quick: true }],
   nodeFlags: ['--expose-gc', '--min-semi-space-size=512', '--max-semi-space-size=1024'],
-  run({ build, time }, { n }) {
+  run({ build, run }, { n }) {
     const simulation = build(pileScene(n));
-    time(simulation, WARM_UP);
+    run(simulation, WARM_UP);
     let least = Infinity;
     for (let round = 0; round < ROUNDS; round++) {
       globalThis.gc?.();
       const before = getHeapStatistics().used_heap_size;
-      for (let step = 0; step < STEPS; step++) simulation.step();
+      run(simulation, STEPS);
       least = Math.min(least, getHeapStatistics().used_heap_size - before);
     }
     return { bytes: Math.max(0, least) / STEPS };

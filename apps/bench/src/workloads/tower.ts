@@ -17,11 +17,11 @@ export const tower: Workload = {
     { name: '10 crates', n: 10, quick: true },
     { name: '20 crates', n: 20 },
   ],
-  run({ build, time }, { n }) {
+  run({ build, run }, { n }) {
     const crates = Array.from({ length: n }, (_, i) => ({ x: 0, y: (i + 0.5) * SIZE, size: SIZE, mass: 1 }));
     const container = { left: -20, right: 20, floor: 0 };
     const simulation = build(makeScene({ crates, container, collide: true, friction: 0.5 }));
-    time(simulation, STEPS);
+    run(simulation, STEPS);
     const corners = new Float64Array(8 * n);
     simulation.readCorners?.(corners);
     const top = corners.subarray(8 * (n - 1));
