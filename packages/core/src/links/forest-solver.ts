@@ -5,7 +5,6 @@ import type { LinkSolver } from './link.ts';
 import { linkGraph } from './link-graph.ts';
 import { CABLE, INVERSE_MASS, LENGTH, RANGE, ROD, ROW, TENSION, TOTAL, TreeTable } from './solve-tree.ts';
 import { spanningForests } from './spanning-forests.ts';
-import { startAgain } from './start-again.ts';
 import { StiffTable } from './stiff-table.ts';
 import { TreeSolver } from './tree-solver.ts';
 
@@ -16,7 +15,7 @@ export function forestSolver(): LinkSolver {
 
 /**
  * Keeps links by solving the trees that they make, each directly and in linear time. Loops are dealt out to several forests,
- * solved one after the other; each link then starts from the tension that it had a small step before.
+ * solved one after the other in each small step. Tensions are not carried on there: along links that turn, that adds energy.
  */
 class ForestSolver implements LinkSolver {
   readonly #table = new TreeTable();
@@ -29,7 +28,6 @@ class ForestSolver implements LinkSolver {
   /** 1 for each slot that could move when the trees were laid out. */
   #movable = new Uint8Array(0);
   #impulse = new Float64Array(0);
-  #lastH = 0;
 
   get impulse(): Float64Array {
     const { count, link, rows } = this.#table;
@@ -61,24 +59,18 @@ class ForestSolver implements LinkSolver {
     if (!this.#fits(particles)) this.setLinks(this.#links, particles);
     const { trees } = this.#layout;
     for (let tree = 0; tree < trees.length - 1; tree++) {
-      this.#awake[tree] = this.#readNodes(trees[tree], trees[tree + 1], particles);
-      if (this.#awake[tree] === 1) this.#solver.plain[tree] = this.#readLinks(trees[tree], trees[tree + 1]);
+      const from = trees[tree];
+      const to = trees[tree + 1];
+      this.#awake[tree] = this.#readNodes(from, to, particles);
+      if (this.#awake[tree] === 1 && this.#areWound(from, to)) this.#solver.plain[tree] = this.#readLinks(from, to);
     }
   }
 
   solve(particles: ParticleArrays, h: number): void {
-    const { trees, groups } = this.#layout;
-    const ratio = this.#lastH > 0 ? h / this.#lastH : 0;
-    for (let g = 0; g < groups.length - 1; g++) {
-      const looped = groups[g + 1] - groups[g] > 1 ? 1 : 0;
-      for (let tree = groups[g]; looped === 1 && tree < groups[g + 1]; tree++) {
-        if (this.#awake[tree] === 1) startAgain(this.#table, trees[tree], trees[tree + 1], particles, ratio);
-      }
-      for (let tree = groups[g]; tree < groups[g + 1]; tree++) {
-        if (this.#awake[tree] === 1) this.#solver.solve(tree, trees[tree], trees[tree + 1], particles, h, looped);
-      }
+    const { trees } = this.#layout;
+    for (let tree = 0; tree < trees.length - 1; tree++) {
+      if (this.#awake[tree] === 1) this.#solver.solve(tree, trees[tree], trees[tree + 1], particles, h);
     }
-    this.#lastH = h;
   }
 
   /** Whether the same ends can move as when the trees were laid out. */
@@ -104,7 +96,18 @@ class ForestSolver implements LinkSolver {
     return awake;
   }
 
-  /** Reads the limits of a tree's links. Returns 1 if `eliminate` knows all of them. */
+  /** Whether the limits of some link of a tree were changed. */
+  #areWound(from: number, to: number): boolean {
+    const { link } = this.#table;
+    const { minLength, maxLength } = this.#stiff;
+    for (let k = from + 1; k < to; k++) {
+      const { minLength: min, maxLength: max } = this.#links[link[k]];
+      if (min !== minLength[k] || max !== maxLength[k]) return true;
+    }
+    return false;
+  }
+
+  /** Reads the links of a tree. Returns 1 if `eliminate` knows all of them. */
   #readLinks(from: number, to: number): number {
     const { link: numbers, kind, rows } = this.#table;
     const { minLength, maxLength, compliance, damping, restitution } = this.#stiff;

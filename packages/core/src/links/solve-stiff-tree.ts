@@ -30,12 +30,14 @@ const ALIGNED = 0.3;
 const HELD = 1e-9;
 /** Up to here the sideways swing that a tension makes is stable by itself: the square of its frequency times the small step. */
 const SLOW = 2;
+/** Beyond this a tension is that of a jerk, which will not last. */
+const MOST_SWIFT = 1000;
 /** A link that turns by more than 60° is taken at its end: the square of the cosine. One by 15° wants a second pass. */
 const FAR = 0.25;
 const WIDE = 0.93;
 
 /**
- * `eliminate` for every kind of link. What is new: links at neither limit, which lose the tension they have; compliance; links
+ * `eliminate` for every kind of link. What is new: links at neither limit; compliance; links
  * that damp, or turn too far, pull along e nearer to s; and tensions that would swing the ends sideways faster than small steps
  * can follow turn with the link: a second unknown, the impulse μq across it, with μ = κ q·(u_p - u_c) (the geometric
  * stiffness; M. Tournier et al., Stable Constrained Dynamics, 2015). That is stable, and damps what is too fast to be seen.
@@ -77,7 +79,7 @@ export function eliminateStiff(
     let s = Math.sqrt(sx * sx + sy * sy);
     const turn = sx * dx + sy * dy;
     const inverseMass = rows[i + INVERSE_MASS] + rows[parent[k] * ROW + INVERSE_MASS];
-    const swift = 2 * h * before[k] * inverseMass;
+    const swift = Math.min(2 * h * before[k] * inverseMass, MOST_SWIFT);
     let blend = Math.max(damping[k], calm, swift > SLOW ? 1 - SLOW / swift : 0);
     if (turn <= 0 || turn * turn < FAR * s * s * dd) blend = 1;
     if (turn * turn < WIDE * s * s * dd) result = ROUGH;
@@ -90,7 +92,7 @@ export function eliminateStiff(
       g = ((goal[k] - s) * goal[k]) / h;
       s = goal[k];
     }
-    const kappa = swift > SLOW && dd > 0 ? (h * blend * before[k]) / dd : 0;
+    const kappa = swift > SLOW && dd > 0 ? (blend * swift) / (2 * inverseMass * dd) : 0;
     const wxx = nodes[n] + nodes[m];
     const wxy = nodes[n + 1] + nodes[m + 1];
     const wyx = nodes[n + 2] + nodes[m + 2];
@@ -105,8 +107,8 @@ export function eliminateStiff(
     rows[i + ALONG_Y] = ey;
     if (side[k] === 0 || !(along + give > HELD * inverseMass * s * s)) {
       if (side[k] !== 0 && calm < 1 && !(along >= 0)) return FAILED;
-      rows[i + OWN] = side[k] === 0 ? -rows[i + TENSION] : 0;
-      rows[i + PER_X] = rows[i + PER_Y] = across[a] = across[a + 1] = across[a + 2] = 0;
+      rows[i + OWN] = rows[i + PER_X] = rows[i + PER_Y] = 0;
+      across[a] = across[a + 1] = across[a + 2] = 0;
     } else {
       if (!(along > ALIGNED * (ex * wex + ey * wey)) && calm < 1) return FAILED;
       const d11 = along + give;

@@ -22,6 +22,7 @@ export class StiffTable {
   /** Makes room for so many rows, all empty. */
   clear(room: number): void {
     this.taut.fill(0);
+    this.maxLength.fill(0); // no link has this length: all will be read
     if (room <= this.side.length) return;
     this.minLength = new Float64Array(room);
     this.maxLength = new Float64Array(room);

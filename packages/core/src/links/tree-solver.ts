@@ -2,6 +2,7 @@ import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import { aimLinks } from './aim-links.ts';
 import { eliminateStiff, substituteStiff } from './solve-stiff-tree.ts';
 import {
+  DONE,
   eliminate,
   FAILED,
   GAIN,
@@ -20,10 +21,9 @@ import { kineticEnergy, TreeMotion } from './tree-motion.ts';
 /** How often a tree is solved anew without the links that push where they can only pull. */
 const ROUNDS = 8;
 
-/** Share of its energy of motion that a tree may gain at once, that it may gain in all, and that losses make up for. */
+/** Share of its energy of motion that a tree may gain at once, and that it may gain in all. */
 const MOST_AT_ONCE = 0.05;
 const MOST_IN_ALL = 0.01;
-const MOST_CREDIT = 0.05;
 
 /**
  * Solves trees, each in the quickest way that will do: plain links by `eliminate`; all others, and tensions that swing their ends
@@ -44,9 +44,6 @@ export class TreeSolver {
   #from = 0;
   #to = 0;
   #h = 0;
-  /** 1 if tensions come on top of those that are there, 0 if they begin anew. */
-  #kept = 0;
-  #isPlain = false;
 
   constructor(table: TreeTable, stiff: StiffTable, trees: number) {
     this.#table = table;
@@ -56,114 +53,108 @@ export class TreeSolver {
     this.#gained = new Float64Array(trees);
   }
 
-  /**
-   * Solves a tree. Reads x, y, vx, vy. Writes vx, vy, and the tensions.
-   * @param kept - 1 if tensions come on top of those that are there, 0 if they begin anew.
-   */
-  solve(tree: number, from: number, to: number, particles: ParticleArrays, h: number, kept: number): void {
+  /** Solves a tree for a small step of `h` seconds. Reads x, y, vx, vy. Writes vx, vy, and the tensions. */
+  solve(tree: number, from: number, to: number, particles: ParticleArrays, h: number): void {
     this.#tree = tree;
     this.#from = from;
     this.#to = to;
     this.#h = h;
-    this.#kept = kept;
-    this.#isPlain = this.plain[tree] === 1 && this.#swift[tree] === 0;
-    if (!this.#isPlain) this.#prepare(particles, kept);
-    const result = this.#eliminate(particles);
-    if (result === FAILED || !(result === ROUGH ? this.#tryTwice(particles) : this.#try(particles)))
-      this.#solveCalmly(particles);
+    const plain = this.plain[tree] === 1 && this.#swift[tree] === 0;
+    const tried = plain ? this.#tryPlain(particles) : PUSHES;
+    if (tried === DONE) return;
+    this.#prepare();
+    if (tried === FAILED || !this.#tryStiff(particles, 0)) this.#tryStiff(particles, 1);
   }
 
-  /** One pass. Returns whether it is good; if not, it is undone. */
-  #try(particles: ParticleArrays): boolean {
-    if (!this.#isPlain) this.#motion.save(this.#table, this.#from, this.#to, particles);
-    const found = this.#substitute(particles, this.#kept);
-    if (this.#accepts(this.#table.rows[this.#from * ROW + GAIN], particles)) {
-      if ((found & PUSHES) !== 0) this.#release(particles, 0);
-      return true;
+  /** The quick way. Returns `DONE`, or, with all as it was, `FAILED`, or `PUSHES` where a cable would. */
+  #tryPlain(particles: ParticleArrays): number {
+    const table = this.#table;
+    const from = this.#from;
+    const to = this.#to;
+    const result = eliminate(table, from, to, particles, this.#h);
+    if (result === FAILED) return FAILED;
+    if (result === ROUGH) this.#motion.save(table, from, to, particles);
+    let found = substitute(table, from, to, particles, this.#h, 0);
+    let gain = table.rows[from * ROW + GAIN];
+    if (result === ROUGH && eliminate(table, from, to, particles, this.#h) !== FAILED) {
+      found = substitute(table, from, to, particles, this.#h, 1);
+      gain += table.rows[from * ROW + GAIN];
     }
-    if (this.#isPlain) undo(this.#table, this.#from, this.#to, particles);
-    else this.#motion.restore(this.#table, this.#from, this.#to, particles);
-    return false;
+    this.#swift[this.#tree] = found & SWIFT;
+    const pushes = (found & PUSHES) !== 0;
+    if (!pushes && this.#accepts(gain, particles)) return DONE;
+    if (result === ROUGH) this.#motion.restore(table, from, to, particles);
+    else undo(table, from, to, particles);
+    return pushes ? PUSHES : FAILED;
   }
 
-  /** A pass that is an approximation, and one that makes it accurate. */
-  #tryTwice(particles: ParticleArrays): boolean {
+  /**
+   * The way that knows everything: again and again, without the links that push where they can only pull, or pull where they can
+   * only push. Returns whether it went well; if not, all is as it was.
+   * @param calm - 1 takes energy out, and goes well whatever comes.
+   */
+  #tryStiff(particles: ParticleArrays, calm: number): boolean {
     const { rows } = this.#table;
+    aimLinks(this.#table, this.#stiff, this.#from, this.#to, particles, this.#h);
     this.#motion.save(this.#table, this.#from, this.#to, particles);
-    this.#substitute(particles, this.#kept);
-    let gain = rows[this.#from * ROW + GAIN];
-    if (this.#eliminate(particles) !== FAILED) {
-      const found = this.#substitute(particles, 1);
-      gain += rows[this.#from * ROW + GAIN];
-      if (this.#accepts(gain, particles)) {
-        if ((found & PUSHES) !== 0) this.#release(particles, 0);
-        return true;
+    for (let round = 1; ; round++) {
+      const result = this.#eliminateStiff(particles, calm);
+      if (result === FAILED) return false;
+      let found = this.#substituteStiff(particles);
+      let gain = rows[this.#from * ROW + GAIN];
+      if (result === ROUGH && calm === 0 && this.#eliminateStiff(particles, calm) !== FAILED) {
+        found = this.#substituteStiff(particles);
+        gain += rows[this.#from * ROW + GAIN];
       }
+      const released = round < ROUNDS && (found & PUSHES) !== 0 && this.#letGo();
+      if (!released) {
+        this.#swift[this.#tree] = found & SWIFT;
+        if (this.#accepts(gain, particles) || calm === 1) return true;
+      }
+      this.#motion.restore(this.#table, this.#from, this.#to, particles);
+      if (!released) return false;
     }
-    this.#motion.restore(this.#table, this.#from, this.#to, particles);
-    return false;
   }
 
-  /** The way that takes energy out, and is stable whatever comes. */
-  #solveCalmly(particles: ParticleArrays): void {
-    if (this.#isPlain) this.#prepare(particles, this.#kept);
-    this.#isPlain = false;
-    eliminateStiff(this.#table, this.#stiff, this.#from, this.#to, particles, this.#h, 1);
-    const found = this.#substitute(particles, 1);
-    this.#gained[this.#tree] += Math.min(0, this.#table.rows[this.#from * ROW + GAIN]);
-    if ((found & PUSHES) !== 0) this.#release(particles, 1);
+  #eliminateStiff(particles: ParticleArrays, calm: number): number {
+    return eliminateStiff(this.#table, this.#stiff, this.#from, this.#to, particles, this.#h, calm);
   }
 
-  /** Solves the tree again without the links that push where they can only pull, or pull where they can only push. */
-  #release(particles: ParticleArrays, calm: number): void {
-    if (this.#isPlain) this.#prepare(particles, 1);
-    this.#isPlain = false;
-    const { rows } = this.#table;
+  #substituteStiff(particles: ParticleArrays): number {
+    return substituteStiff(this.#table, this.#stiff, this.#from, this.#to, particles, this.#h);
+  }
+
+  /** Frees the links that are on the wrong side. */
+  #letGo(): boolean {
     const { side } = this.#stiff;
-    let found = PUSHES;
-    for (let round = 0; (found & PUSHES) !== 0 && round < ROUNDS; round++) {
-      for (let k = this.#from + 1; k < this.#to; k++) {
-        if (side[k] < 2 && side[k] * rows[k * ROW + TENSION] < 0) side[k] = 0;
-      }
-      const result = eliminateStiff(this.#table, this.#stiff, this.#from, this.#to, particles, this.#h, calm);
-      if (result === FAILED) eliminateStiff(this.#table, this.#stiff, this.#from, this.#to, particles, this.#h, 1);
-      found = this.#substitute(particles, 1);
+    const { rows } = this.#table;
+    let any = false;
+    for (let k = this.#from + 1; k < this.#to; k++) {
+      if (side[k] === 2 || side[k] * rows[k * ROW + TENSION] >= 0) continue;
+      side[k] = 0;
+      any = true;
     }
+    return any;
   }
 
   /** Whether a gain of energy is no more than what the method itself wavers by; if so, it is booked. */
   #accepts(gain: number, particles: ParticleArrays): boolean {
-    let gained = this.#gained[this.#tree];
+    const gained = this.#gained[this.#tree] + gain;
     if (!(gain <= 0)) {
       const energy = kineticEnergy(this.#table, this.#from, this.#to, particles);
-      gained = Math.max(gained, -MOST_CREDIT * energy);
-      if (!(gain <= MOST_AT_ONCE * energy && gained + gain <= MOST_IN_ALL * energy)) return false;
+      if (!(gain <= MOST_AT_ONCE * energy && gained <= MOST_IN_ALL * energy)) return false;
     }
-    this.#gained[this.#tree] = gained + gain;
+    this.#gained[this.#tree] = gained;
     return true;
   }
 
-  #prepare(particles: ParticleArrays, kept: number): void {
+  /** Begins a small step of a stiff tree. */
+  #prepare(): void {
     const { rows } = this.#table;
     const { before } = this.#stiff;
     for (let k = this.#from + 1; k < this.#to; k++) {
       before[k] = rows[k * ROW + TENSION];
-      rows[k * ROW + TENSION] *= kept;
+      rows[k * ROW + TENSION] = 0;
     }
-    aimLinks(this.#table, this.#stiff, this.#from, this.#to, particles, this.#h);
-  }
-
-  #eliminate(particles: ParticleArrays): number {
-    return this.#isPlain
-      ? eliminate(this.#table, this.#from, this.#to, particles, this.#h)
-      : eliminateStiff(this.#table, this.#stiff, this.#from, this.#to, particles, this.#h, 0);
-  }
-
-  #substitute(particles: ParticleArrays, kept: number): number {
-    const found = this.#isPlain
-      ? substitute(this.#table, this.#from, this.#to, particles, this.#h, kept)
-      : substituteStiff(this.#table, this.#stiff, this.#from, this.#to, particles, this.#h);
-    this.#swift[this.#tree] = found & SWIFT;
-    return found;
   }
 }
