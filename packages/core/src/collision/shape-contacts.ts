@@ -117,14 +117,14 @@ export class ShapeContacts implements SurfaceReport {
   /** Looks at all shapes within `around` of a particle. Writes places, sensors, and how far off scenery is. */
   #look(i: number, around: number, firstSource: number, particles: ParticleArrays, dt: number): void {
     const { x, y, vx, vy, radius, sensor } = particles;
-    const { lookAhead } = this.#contacts;
+    const { lookAhead, margin } = this.#contacts;
     const time = lookAhead > 0 ? lookAhead : dt;
     const found = this.#index.find(x[i], y[i], around);
     this.#wayX = vx[i] * time;
     this.#wayY = vy[i] * time;
     this.#slot = i;
     this.#isSensor = sensor[i] === 1;
-    this.#isFast = (Math.abs(vx[i]) + Math.abs(vy[i])) * lookAhead > radius[i] * FAST_SHARE;
+    this.#isFast = (Math.abs(vx[i]) + Math.abs(vy[i])) * lookAhead > radius[i] * FAST_SHARE + margin;
     this.#wasHeld = this.#held[i] === 1;
     this.#isHeld = false;
     this.#distance = around;

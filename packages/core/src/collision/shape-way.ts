@@ -11,7 +11,7 @@ import { Sweep } from './sweep.ts';
 export const POINT_RADIUS = 0.001;
 
 /** How often a way is followed around what it met; where it goes on after that, it ends. */
-const MOST_TURNS = 8;
+const MOST_TURNS = 64;
 
 /** A plane that the particle is behind of by more than this share of its radius, as the way begins, is not in front of it. */
 const BEHIND_SHARE = 0.1;

@@ -6,7 +6,7 @@ import type { Sweep } from './sweep.ts';
 const TOLERANCE = 1e-9;
 
 /** What closes by less than this share of the way runs along the surface, to rounding. */
-const ALONG = 1e-9;
+const ALONG = 1e-3;
 
 /** Most of Newton's steps to a surface within the least step; one is enough where it is straight. */
 const NEWTON_STEPS = 16;
@@ -30,20 +30,18 @@ export class SurfaceWalk implements SurfaceReport {
     this.#ux = sweep.dx / length;
     this.#uy = sweep.dy / length;
     const start = entry(shape, sweep) * length;
+    this.#look(shape, sweep, start);
+    const level = Math.min(radius, this.#distance); // what is in each other already meets where it would be deeper
     for (let along = start, before = start; along <= length; ) {
       this.#look(shape, sweep, along);
-      const step = Math.max(this.#distance - radius, least);
-      let towards = along;
-      for (let newton = 0; newton < NEWTON_STEPS; newton++) {
-        const gap = this.#ahead - radius;
-        const closing = -(this.#normalX * this.#ux + this.#normalY * this.#uy);
-        if (gap <= TOLERANCE && (gap >= -TOLERANCE || along === start)) {
-          sweep.meet(towards / length, this.#ahead + closing * towards, this.#normalX, this.#normalY);
-          return;
-        }
-        towards += gap / closing;
-        if (!(towards >= before && towards <= Math.min(along + step, length))) break;
-        this.#look(shape, sweep, towards);
+      const step = Math.max(this.#distance - level, least);
+      const isPast = this.#ahead < level - TOLERANCE;
+      if (this.#approach(shape, sweep, level, along, before, Math.min(along + step, length))) return;
+      if (isPast) {
+        // It came in at so narrow an angle that the place is not found: this one is near.
+        this.#look(shape, sweep, along);
+        this.#meet(sweep, along);
+        return;
       }
       before = along;
       along += step;
@@ -56,6 +54,27 @@ export class SurfaceWalk implements SurfaceReport {
     this.#ahead = distance;
     this.#normalX = normalX;
     this.#normalY = normalY;
+  }
+
+  /** Goes on from a place to that where the distance is `level`, by Newton's method, if that lies between two others. */
+  #approach(shape: Shape, sweep: Sweep, level: number, along: number, from: number, to: number): boolean {
+    let towards = along;
+    for (let newton = 0; newton < NEWTON_STEPS; newton++) {
+      const gap = this.#ahead - level;
+      if (Math.abs(gap) <= TOLERANCE) {
+        this.#meet(sweep, towards);
+        return true;
+      }
+      towards -= gap / (this.#normalX * this.#ux + this.#normalY * this.#uy);
+      if (!(towards >= from && towards <= to)) return false;
+      this.#look(shape, sweep, towards);
+    }
+    return false;
+  }
+
+  #meet(sweep: Sweep, along: number): void {
+    const closing = -(this.#normalX * this.#ux + this.#normalY * this.#uy);
+    sweep.meet(along / sweep.length, this.#ahead + closing * along, this.#normalX, this.#normalY);
   }
 
   #look(shape: Shape, { x, y, radius, length }: Sweep, along: number): void {
