@@ -63,6 +63,12 @@ export async function runTo(page: Page, seconds: number): Promise<void> {
   await expect.poll(() => read(page, (mass) => mass.world.time), { timeout: 100_000 }).toBeGreaterThan(seconds);
 }
 
+/** Lets a paused scene run on, step by step and without a picture, until something holds or so much time is over. Unit: s. */
+export async function skipUntil(page: Page, holds: () => Promise<boolean>, seconds = 20): Promise<void> {
+  for (let time = 0; time < seconds && !(await holds()); time += 0.1) await read(page, ({ stage }) => stage.skip(0.1));
+  expect(await holds(), `within ${seconds} s of the scene's time`).toBe(true);
+}
+
 /** Where a point of the world is in the window. Units: m, CSS px. */
 export async function inWindow(page: Page, x: number, y: number): Promise<{ x: number; y: number }> {
   return page.evaluate(

@@ -1,6 +1,6 @@
 import type { Page } from 'playwright/test';
 import type { Point } from '../src/scenes/scene.ts';
-import { expect, inWindow, openAtStart, pause, read, renderers, test } from './gallery.ts';
+import { expect, inWindow, openAtStart, pause, read, renderers, skipUntil, test } from './gallery.ts';
 
 const fork = { x: 0, y: 2.7 };
 
@@ -12,18 +12,18 @@ function reading(page: Page, label: string): Promise<number> {
   );
 }
 
-/** Waits until a number is reached, by default longer than a slow machine needs. */
+/** Lets the paused game run until a number is reached. */
 function becomes(page: Page, label: string, value: number): Promise<void> {
-  return expect.poll(() => reading(page, label), { timeout: 90_000 }).toBe(value);
+  return skipUntil(page, async () => (await reading(page, label)) === value);
 }
 
-/** Waits until there is a ball to be thrown: it is the one that is pinned. */
-async function ballIsThere(page: Page): Promise<void> {
-  const isPinned = () =>
+/** Lets the paused game run until there is a ball to be thrown: it is the one that is pinned. */
+function ballIsThere(page: Page): Promise<void> {
+  return skipUntil(page, () =>
     read(page, ({ world: { particles } }) =>
       particles.group.slice(0, particles.count).some((group, i) => group === 1 && particles.inverseMass[i] === 0),
-    );
-  await expect.poll(isPinned, { timeout: 60_000 }).toBe(true);
+    ),
+  );
 }
 
 /** Pulls the ball back by the mouse, and lets go. Unit: m. */
@@ -43,7 +43,6 @@ for (const renderer of renderers) {
   test(`a throw by mouse wins a level, and the next one comes, on ${renderer}`, async ({ page }) => {
     await openAtStart(page, 'game', query(1));
     await throwByMouse(page, { x: -1.77, y: -1.2 });
-    await page.keyboard.press(' ');
     await becomes(page, 'Throws left', 2);
     await becomes(page, 'Targets left', 0);
     expect(await reading(page, 'Score')).toBe(400);
@@ -74,9 +73,8 @@ for (const renderer of renderers) {
     await page.keyboard.press('ArrowUp');
     await page.keyboard.press('ArrowUp');
     await page.keyboard.press('Enter');
-    await page.keyboard.press(' ');
     await becomes(page, 'Throws left', 1);
-    await expect.poll(() => reading(page, 'Score'), { timeout: 90_000 }).toBeGreaterThanOrEqual(100);
+    await skipUntil(page, async () => (await reading(page, 'Score')) >= 100);
     await page.keyboard.press('t');
     await becomes(page, 'Targets left', 6);
     expect(await reading(page, 'Score')).toBe(0);
@@ -88,7 +86,6 @@ for (const renderer of renderers) {
 
   test(`until somebody plays, it plays by itself, on ${renderer}`, async ({ page }) => {
     await openAtStart(page, 'game', query(4));
-    await page.keyboard.press(' ');
     await becomes(page, 'Targets left', 0);
     expect(await read(page, ({ stage }) => stage.failed)).toBe(false);
     await becomes(page, 'Level', 5);
@@ -102,17 +99,13 @@ for (const renderer of renderers) {
 
 test('out of throws, a tap tries again', async ({ page }) => {
   await openAtStart(page, 'game', '?level=2');
-  await read(page, ({ stage }) => {
-    stage.speed = 2;
-  });
-  await page.keyboard.press(' ');
   for (let left = 1; left >= 0; left--) {
     await throwByMouse(page, { x: -0.3, y: -1 });
     await becomes(page, 'Throws left', left);
   }
   const lost = () =>
-    page.evaluate(() => window.mass?.setup.guides?.().some((guide) => 'text' in guide && /^Out of/.test(guide.text)));
-  await expect.poll(lost, { timeout: 90_000 }).toBe(true);
+    read(page, ({ setup }) => (setup.guides?.() ?? []).some((each) => 'text' in each && /^Out of/.test(each.text)));
+  await skipUntil(page, lost);
   expect(await reading(page, 'Targets left')).toBe(6);
   const beside = await inWindow(page, 6, 8);
   await page.mouse.click(beside.x, beside.y);
@@ -151,7 +144,6 @@ test.describe('by touch', () => {
       await touch.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: [at] });
     }
     await touch.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
-    await page.keyboard.press(' ');
     await becomes(page, 'Throws left', 1);
     await becomes(page, 'Targets left', 0);
     expect(await page.evaluate(() => window.scrollY)).toBe(0);

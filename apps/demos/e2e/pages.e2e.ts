@@ -6,58 +6,56 @@ import { expect, openScene, read, test } from './gallery.ts';
 const ids = scenes.map(({ id }) => id);
 
 for (const id of ids) {
-  test(`${id} has what a page must have, and moves`, async ({ page }) => {
-    await openScene(page, id);
-    await expect(page.getByRole('heading', { level: 1 })).not.toBeEmpty();
-    await expect(page.locator('.opening .look')).not.toBeEmpty();
-    await expect(page.locator('.formula math')).toBeAttached();
-    await expect(page.locator('.code pre')).toContainText('build(');
-    await expect.poll(() => read(page, ({ world }) => world.time)).toBeGreaterThan(0.2);
-  });
-
-  test(`${id} fits a phone`, async ({ page }) => {
+  test(`${id} fits a phone, has what a page must have, moves, and does not jump when resized`, async ({ page }) => {
     await page.setViewportSize({ width: 360, height: 740 });
     await openScene(page, id);
-    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(360);
-    const stage = await page.locator('#stage').boundingBox();
-    expect(stage?.width).toBeGreaterThan(310);
-    expect(stage?.height).toBeGreaterThan(200);
-    expect(
-      await page
-        .locator('#play')
-        .boundingBox()
-        .then((box) => box?.height),
-    ).toBeGreaterThanOrEqual(40);
+    await test.step('it fits a phone', () => fitsPhone(page));
+    await test.step('it has what a page must have', async () => {
+      await expect(page.getByRole('heading', { level: 1 })).not.toBeEmpty();
+      await expect(page.locator('.opening .look')).not.toBeEmpty();
+      await expect(page.locator('.formula math')).toBeAttached();
+      await expect(page.locator('.code pre')).toContainText('build(');
+    });
+    await test.step('it moves', () => expect.poll(() => read(page, ({ world }) => world.time)).toBeGreaterThan(0.2));
+    await test.step('it does not jump when the window is resized', () => doesNotJump(page, id));
   });
+}
 
-  test(`${id} does not jump when the window is resized`, async ({ page }) => {
-    await openScene(page, id);
-    await expect.poll(() => read(page, ({ world }) => world.stepCount)).toBeGreaterThan(0);
-    const before = await read(page, ({ world }) => ({ time: world.time, steps: world.stepCount }));
-    for (const width of [900, 500, 1100]) {
-      await page.setViewportSize({ width, height: 700 });
-      await expect
-        .poll(() =>
-          read(page, ({ camera, scene, stage }) => {
-            const box = stage.panes[0].element.getBoundingClientRect();
-            const left = camera.toScreenX(scene.show.minX);
-            const right = camera.toScreenX(scene.show.maxX);
-            const top = camera.toScreenY(scene.show.maxY);
-            const bottom = camera.toScreenY(scene.show.minY);
-            const inside = left > -1 && top > -1 && right < box.width + 1 && bottom < box.height + 1;
-            const full = right - left > box.width - 2 || bottom - top > box.height - 2;
-            const canvas = stage.panes[0].picture.canvas;
-            return inside && full && Math.abs(canvas.width - box.width * devicePixelRatio) <= 1;
-          }),
-        )
-        .toBe(true);
-    }
-    const after = await read(page, ({ world }) => ({ time: world.time, steps: world.stepCount }));
-    expect(after.steps).toBeGreaterThanOrEqual(before.steps);
-    if (id === 'resting-contact') return; // its subject is a step of another length, which it takes by itself
-    const step = await read(page, ({ clock }) => clock.step);
-    expect(after.time - before.time).toBeCloseTo((after.steps - before.steps) * step, 6);
-  });
+async function fitsPhone(page: Page): Promise<void> {
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(360);
+  const stage = await page.locator('#stage').boundingBox();
+  expect(stage?.width).toBeGreaterThan(310);
+  expect(stage?.height).toBeGreaterThan(200);
+  const play = await page.locator('#play').boundingBox();
+  expect(play?.height).toBeGreaterThanOrEqual(40);
+}
+
+async function doesNotJump(page: Page, id: string): Promise<void> {
+  const now = () => read(page, ({ world }) => ({ time: world.time, steps: world.stepCount }));
+  const before = await now();
+  for (const width of [900, 500, 1100]) {
+    await page.setViewportSize({ width, height: 700 });
+    await expect
+      .poll(() =>
+        read(page, ({ camera, scene, stage }) => {
+          const box = stage.panes[0].element.getBoundingClientRect();
+          const left = camera.toScreenX(scene.show.minX);
+          const right = camera.toScreenX(scene.show.maxX);
+          const top = camera.toScreenY(scene.show.maxY);
+          const bottom = camera.toScreenY(scene.show.minY);
+          const inside = left > -1 && top > -1 && right < box.width + 1 && bottom < box.height + 1;
+          const full = right - left > box.width - 2 || bottom - top > box.height - 2;
+          const canvas = stage.panes[0].picture.canvas;
+          return inside && full && Math.abs(canvas.width - box.width * devicePixelRatio) <= 1;
+        }),
+      )
+      .toBe(true);
+  }
+  const after = await now();
+  expect(after.steps).toBeGreaterThanOrEqual(before.steps);
+  if (id === 'resting-contact') return; // its subject is a step of another length, which it takes by itself
+  const step = await read(page, ({ clock }) => clock.step);
+  expect(after.time - before.time).toBeCloseTo((after.steps - before.steps) * step, 6);
 }
 
 /** The world's time of thumbnail `n` of the list, from the top; 0 before it was started. */
