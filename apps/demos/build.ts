@@ -4,6 +4,7 @@ import { dirname, join, relative, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { build as bundle, type Metafile } from 'esbuild';
 import { directImports } from './direct-imports.ts';
+import { benchmarksPage } from './pages/benchmarks-page.ts';
 import { hero } from './pages/chapters.ts';
 import type { Assets } from './pages/layout.ts';
 import { listPage } from './pages/list-page.ts';
@@ -17,6 +18,7 @@ const dist = join(here, 'dist');
 const entries = {
   list: 'src/gallery/list-page.ts',
   scene: 'src/gallery/scene-page.ts',
+  benchmarks: 'src/gallery/benchmarks-page.ts',
   style: 'src/styles/gallery.css',
   formula: 'src/styles/formula.css',
 };
@@ -67,6 +69,7 @@ async function buildInto(next: string): Promise<void> {
   };
   const assetsOf = (script: 'list' | 'scene', id: string, toRoot: string): Assets =>
     findAssets(metafile, next, [entries[script], `src/scenes/${id}.ts`], toRoot);
+  write('benchmarks/index.html', benchmarksPage(findAssets(metafile, next, [entries.benchmarks], '../')));
   write('index.html', listPage(scenes, assetsOf('list', hero.id, '')));
   for (const [index, scene] of scenes.entries()) {
     const neighbours = { previous: scenes[index - 1], next: scenes[index + 1] };
@@ -88,13 +91,13 @@ function move(from: string, to: string): void {
 }
 
 /**
- * The addresses of what a page loads, its script and the scene that moves first, seen from the page: `toRoot` leads from it to
+ * The addresses of what a page loads, its script and the scene that moves first, if one does, seen from the page: `toRoot` leads from it to
  * the root of the gallery.
  */
 function findAssets(
   metafile: Metafile,
   built: string,
-  [script, scene]: readonly [script: string, scene: string],
+  [script, scene]: readonly [script: string, scene?: string],
   toRoot: string,
 ): Assets {
   const address = (output: string): string =>
@@ -113,8 +116,8 @@ function findAssets(
     return found;
   };
   const output = outputOf(script);
-  const sceneOutput = outputOf(scene);
-  const preload = importsOf(sceneOutput, importsOf(output).add(sceneOutput));
+  const preload = importsOf(output);
+  if (scene !== undefined) importsOf(outputOf(scene), preload.add(outputOf(scene)));
   const pixi = outputOf('src/stage/pixi-picture.ts');
   const pixiPreload = [pixi, ...importsOf(pixi)].filter((path) => !preload.has(path));
   return {

@@ -17,7 +17,7 @@ export interface Assets {
 export interface Page {
   readonly title: string;
   readonly description: string;
-  readonly kind: 'list' | 'scene';
+  readonly kind: 'list' | 'scene' | 'benchmarks';
   readonly head?: Html;
   readonly navigation?: Html;
   readonly main: Html;

@@ -14,6 +14,7 @@ export function listPage(scenes: readonly Scene[], assets: Assets): string {
       title: 'Mass: physics of particles and links',
       description,
       kind: 'list',
+      navigation: html`<a class="text-link" href="benchmarks/">Benchmarks</a>`,
       main: html`<section class="hero">
 <div class="words">
 <h1>Everything is particles and links.</h1>
