@@ -50,6 +50,12 @@ export class ContactSources {
     this.#pairsAreOld = true;
   }
 
+  /** Takes out links that are in the world, all at once. */
+  removeLinks(links: ReadonlySet<Link>): void {
+    this.#links.keep((link) => !links.has(link));
+    this.#pairsAreOld = true;
+  }
+
   /** Whether there is nothing that could find a contact. */
   get isEmpty(): boolean {
     return this.links.length + this.shapes.list.length + this.generators.list.length === 0;

@@ -56,6 +56,8 @@ export class DistanceLink implements LimitedLink {
   readonly breakForce: number;
   /** Breaks when it is off its length by more than this share of it. */
   readonly breakStrain: number;
+  /** Whether it breaks at a force, in newtons; a link without limits has no such function. */
+  readonly breaksAt?: (force: number) => boolean;
   #minLength: number;
   #maxLength: number;
   /** Slots of the particles; the second is -1 for a fixed point. */
@@ -89,6 +91,8 @@ export class DistanceLink implements LimitedLink {
     this.damping = damping;
     this.breakForce = breakForce;
     this.breakStrain = breakStrain;
+    if (breakForce === Infinity && breakStrain === Infinity) return;
+    this.breaksAt = (force) => force > breakForce || (breakStrain < Infinity && Math.abs(this.strain) > breakStrain);
   }
 
   /** Smallest distance of the ends. Unit: m. */
@@ -123,10 +127,6 @@ export class DistanceLink implements LimitedLink {
     if (length > this.#maxLength) return length / this.#maxLength - 1;
     if (length < this.#minLength) return length / this.#minLength - 1;
     return 0;
-  }
-
-  breaksAt(force: number): boolean {
-    return force > this.breakForce || (this.breakStrain < Infinity && Math.abs(this.strain) > this.breakStrain);
   }
 
   /**

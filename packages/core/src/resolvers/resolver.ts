@@ -10,6 +10,11 @@ export interface Resolver {
    * @returns Whether every position and velocity came out finite.
    */
   step(simulation: Simulation, dt: number): boolean;
+  /**
+   * Adds what links had to hold in the last step without contacts, in the order of the world's links: asked where some may break.
+   * Unit: N·s.
+   */
+  addLinkImpulses?(simulation: Simulation, impulses: Float64Array): void;
   /** Whether everything sleeps, and nothing has changed since that could wake it: there is nothing to move on. */
   isAtRest?(simulation: Simulation): boolean;
 }

@@ -1,25 +1,41 @@
 import type { ContactBuffer } from '../contacts/contact-buffer.ts';
 import type { ContactSources } from '../contacts/contact-sources.ts';
 import type { Link } from '../links/link.ts';
+import type { Resolver } from '../resolvers/resolver.ts';
 import type { EventQueue } from './events.ts';
+import type { Simulation } from './simulation.ts';
 
-/** Takes out the links that give way. */
+/** Takes out the links that give way. A world none of whose links can break pays nothing for it. */
 export class LinkBreaker {
   #impulses = new Float64Array(0);
+  /** Numbers of the links that may break, and the version of the list that this was found for. */
+  readonly #breakable: number[] = [];
+  #version = -1;
 
-  /** Asks each link, after a step, whether it holds. Reads the contacts' impulses. Takes links out; adds events. */
-  breakLinks(contacts: ContactBuffer, sources: ContactSources, events: EventQueue, dt: number): void {
+  /** Asks the links that may break, after a step, whether they hold. Takes links out; adds events. */
+  breakLinks(simulation: Simulation, resolver: Resolver, events: EventQueue, dt: number): void {
+    const { contacts, sources } = simulation;
     const { links } = sources;
-    if (links.length === 0) return;
+    this.#findBreakable(sources);
+    if (this.#breakable.length === 0) return;
     this.#sumImpulses(contacts, links.length);
-    let broken: Link[] | undefined;
-    for (let l = 0; l < links.length; l++) {
+    resolver.addLinkImpulses?.(simulation, this.#impulses);
+    let broken: Set<Link> | undefined;
+    for (const l of this.#breakable) {
       const force = this.#impulses[l] / dt;
       if (!links[l].breaksAt?.(force)) continue;
-      broken = [...(broken ?? []), links[l]];
+      broken ??= new Set();
+      broken.add(links[l]);
       events.add('linkBroke', { link: links[l], force });
     }
-    for (const link of broken ?? []) sources.removeLink('World.step', link);
+    if (broken !== undefined) sources.removeLinks(broken);
+  }
+
+  #findBreakable({ links, linkVersion }: ContactSources): void {
+    if (this.#version === linkVersion) return;
+    this.#version = linkVersion;
+    this.#breakable.length = 0;
+    for (let l = 0; l < links.length; l++) if (links[l].breaksAt !== undefined) this.#breakable.push(l);
   }
 
   #sumImpulses({ count, source, impulse }: ContactBuffer, linkCount: number): void {

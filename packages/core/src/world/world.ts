@@ -319,7 +319,7 @@ export class World implements ParticleSpawner {
     this.#stepping = true;
     try {
       this.#contactWatch.compare(contacts, this.#sources, this.#store, this.#events);
-      this.#linkBreaker.breakLinks(contacts, this.#sources, this.#events, dt);
+      this.#linkBreaker.breakLinks(this.#simulation, this.#resolver, this.#events, dt);
       this.#expiry.note(this.#store, this.#events);
       this.#runEffects(dt);
       this.#events.tell();

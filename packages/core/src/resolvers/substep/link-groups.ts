@@ -7,6 +7,8 @@ import type { ParticleStore } from '../../particles/particle-store.ts';
 export class LinkGroups {
   readonly #solvers = new Map<() => LinkSolver, LinkSolver>();
   #list: LinkSolver[] = [];
+  /** Where the links of each solver stand among all links. */
+  #numbers: number[][] = [];
   #version = -1;
   #sleepVersion = 0;
 
@@ -25,16 +27,29 @@ export class LinkGroups {
     for (let s = 0; s < this.#list.length; s++) this.#list[s].solve(particles, h);
   }
 
+  /** Adds what links held in the last step, in the order of all links. Unit: N·s. */
+  addImpulses(sources: ContactSources, impulses: Float64Array): void {
+    if (this.#version !== sources.linkVersion) return;
+    for (let s = 0; s < this.#list.length; s++) {
+      const { impulse } = this.#list[s];
+      const numbers = this.#numbers[s];
+      for (let l = 0; l < numbers.length; l++) impulses[numbers[l]] += Math.abs(impulse[l]);
+    }
+  }
+
   #sort(all: readonly Link[], particles: ParticleArrays): void {
-    const groups = new Map<() => LinkSolver, Link[]>();
-    for (const link of all) {
-      if (link.solver === undefined) continue;
-      const group = groups.get(link.solver);
-      if (group === undefined) groups.set(link.solver, [link]);
-      else group.push(link);
+    const groups = new Map<() => LinkSolver, number[]>();
+    for (let l = 0; l < all.length; l++) {
+      const { solver } = all[l];
+      if (solver === undefined) continue;
+      const group = groups.get(solver);
+      if (group === undefined) groups.set(solver, [l]);
+      else group.push(l);
     }
     this.#list = [];
-    for (const [make, links] of groups) {
+    this.#numbers = [...groups.values()];
+    for (const [make, numbers] of groups) {
+      const links = numbers.map((l) => all[l]);
       const solver = this.#solvers.get(make) ?? make();
       this.#solvers.set(make, solver);
       solver.setLinks(links, particles);
