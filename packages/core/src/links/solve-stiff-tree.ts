@@ -101,7 +101,7 @@ export function eliminateStiff(
     const wey = wyx * ex + wyy * ey;
     const wqx = wxy * dx - wxx * dy;
     const wqy = wyy * dx - wyx * dy;
-    const give = (compliance[k] * s * goal[k]) / (h * h);
+    const give = compliance[k] > 0 ? (compliance[k] * s * Math.sqrt(ex * ex + ey * ey)) / (h * h) : 0;
     const along = sx * wex + sy * wey;
     rows[i + ALONG_X] = ex;
     rows[i + ALONG_Y] = ey;

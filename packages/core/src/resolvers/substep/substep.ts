@@ -54,6 +54,10 @@ class SubstepResolver implements Resolver {
     return this.#sleep.isAtRest(particles);
   }
 
+  addLinkImpulses({ sources }: Simulation, impulses: Float64Array): void {
+    this.#links.addImpulses(sources, impulses);
+  }
+
   step(simulation: Simulation, dt: number): boolean {
     const { particles, forces, gravity, sources, time } = simulation;
     if (sources.isEmpty) return flyFreely(simulation, dt);
