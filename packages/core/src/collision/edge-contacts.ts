@@ -8,6 +8,7 @@ import { EdgePairs } from './edge-pairs.ts';
 import type { EdgeSource } from './edge-source.ts';
 import { EdgeTable, NONE } from './edge-table.ts';
 import { EdgeTouches } from './edge-touches.ts';
+import { mayTouch } from './filter.ts';
 
 /**
  * Collision of particles with edges: with the outline of each closed body, the links of each open one, such as a chain, and whatever
@@ -17,7 +18,8 @@ import { EdgeTouches } from './edge-touches.ts';
  *
  * The particles of a body do not collide with its own edges, nor a particle with an edge to whose end a link joins it. The greatest
  * restitution counts, and the geometric mean of the frictions, each at the place of the touch. A link to a fixed point is no
- * edge: pin a particle there. Contacts come in the order of the slots.
+ * edge: pin a particle there. Categories and masks count for both ends of an edge. Contacts come in the order of the slots. Under
+ * `impact` edges do not collide.
  *
  * @example
  * ```ts
@@ -59,6 +61,7 @@ export class EdgeContacts implements ContactGenerator {
    * edge or one of its ends, nearly does, or will within the time that the contacts look ahead.
    */
   addContacts(particles: ParticleArrays, contacts: ContactBuffer, dt: number): void {
+    if (!contacts.takesEdges) return;
     const changed = this.#isOutOfDate(particles, contacts);
     if (changed) this.#table.build(this.#source, this.#groups, particles.count);
     if (this.#table.edgeCount === 0) return;
@@ -102,19 +105,26 @@ export class EdgeContacts implements ContactGenerator {
 
   /** Adds a touch of particle i to the contacts. */
   #add(particles: ParticleArrays, contacts: ContactBuffer, i: number, t: number): void {
-    const { inverseMass, asleep, restitution, friction } = particles;
+    const { inverseMass, asleep, restitution, friction, sensor } = particles;
     const { list } = this.#touches;
     const b = list.b[t];
     const e = list.edgeEnd[t] === NONE ? b : list.edgeEnd[t];
     if (inverseMass[i] + inverseMass[b] + inverseMass[e] === 0 || asleep[i] + asleep[b] + asleep[e] === 3) return;
     if (this.#table.slots.abroad[i] === 1 && (contacts.areLinked(i, b) || contacts.areLinked(i, e))) return;
+    if (!mayTouch(particles, i, b) || !mayTouch(particles, i, e)) return;
+    const nx = list.normalX[t];
+    const ny = list.normalY[t];
+    if (sensor[i] + sensor[b] + sensor[e] > 0) {
+      if (list.penetration[t] > 0) contacts.addSensor(i, b, nx, ny);
+      return;
+    }
     const share = list.share[t];
     const rough = friction[b] + share * (friction[e] - friction[b]);
     contacts.push(
       i,
       b,
-      list.normalX[t],
-      list.normalY[t],
+      nx,
+      ny,
       list.penetration[t],
       Math.max(restitution[i], restitution[b] + share * (restitution[e] - restitution[b])),
       rough === friction[i] ? rough : Math.sqrt(rough * friction[i]),

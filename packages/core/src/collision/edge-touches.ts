@@ -152,14 +152,14 @@ export class EdgeTouches {
   /** Lists a touch of the disc of an end, where the particle is beyond that end for each of its edges, and it for the particle's. */
   #touchEnd(p: number, q: number): void {
     const { x, y, vx, vy, radius } = this.#particles;
-    const { home } = this.#table.slots;
-    if (p === q || (p > q && home[p] !== NONE)) return; // found from the lower of the two
-    const sum = radius[p] + radius[q];
-    if (sum === 0) return;
     const dx = x[p] - x[q];
     const dy = y[p] - y[q];
-    const near = sum * (1 + EARLY_SHARE) + this.#margin;
+    const reach = this.#bounds.reach[p] + this.#bounds.reach[q];
     const square = dx * dx + dy * dy;
+    const sum = radius[p] + radius[q];
+    if (square > reach * reach || sum === 0 || p === q) return;
+    if (p > q && this.#table.slots.home[p] !== NONE) return; // found from the lower of the two
+    const near = sum * (1 + EARLY_SHARE) + this.#margin;
     let nx = 0;
     let ny = 1; // concentric discs define no direction: any will do
     let time = 0;

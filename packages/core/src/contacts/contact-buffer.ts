@@ -43,6 +43,8 @@ export class ContactBuffer implements Contacts, ContactArrays {
   sceneryEnd = 0;
   /** What is nearer than this is added too: how far a thing at rest may get within that time. Unit: m. */
   margin = 0;
+  /** Whether the resolver knows contacts with edges: without, none are looked for. */
+  takesEdges = true;
   /** Grows whenever the linked pairs change. */
   linkVersion = 0;
   /** Written to the contacts that are added: who finds them. */

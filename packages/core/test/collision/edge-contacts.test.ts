@@ -4,6 +4,7 @@ import {
   DiscContacts,
   EdgeContacts,
   HalfPlane,
+  impact,
   type Particle,
   polygon,
   Random,
@@ -320,6 +321,43 @@ describe('what does not collide', () => {
   });
 });
 
+describe('filters and sensors', () => {
+  it('[C40] a particle and an edge touch where category and mask of both ends let them', () => {
+    const w = new World({ resolver: severity({ iterations: 0 }) });
+    const [a, b] = bar(w);
+    const p = w.addParticle({ x: 1, y: 0.2, radius: 0.2, mask: 2 });
+    expect(look(w)).toHaveLength(0);
+    a.category = 2;
+    expect(look(w)).toHaveLength(0);
+    b.category = 2;
+    expect(look(w)).toHaveLength(1);
+    a.mask = 4;
+    expect(look(w)).toHaveLength(0);
+    p.category = 5;
+    expect(look(w)).toHaveLength(1);
+  });
+
+  it('[C40] a sensor is told of and does not push', () => {
+    const w = new World({ resolver: severity() });
+    bar(w);
+    const p = w.addParticle({ x: 1, y: 0.2, vy: -1, radius: 0.2, sensor: true });
+    let told = 0;
+    w.on('contactBegin', ({ a }) => {
+      if (a === p) told++;
+    });
+    w.step(1 / 60);
+    expect([told, p.vy, w.contacts.count]).toEqual([1, -1, 2]);
+  });
+
+  it('[C48] under impact edges do not collide', () => {
+    const w = new World({ resolver: impact() });
+    bar(w);
+    const p = w.addParticle({ x: 1, y: 0.4, vy: -30, radius: 0.05 });
+    w.step(1 / 60);
+    expect(p.y).toBeCloseTo(-0.1, 12);
+  });
+});
+
 describe('what comes and goes', () => {
   it('[C40] bodies that are added later collide; a broken link and a removed body do no more', () => {
     const w = world();
@@ -364,7 +402,7 @@ describe('what comes and goes', () => {
       const list = (generator: EdgeContacts) => {
         w.addContactGenerator(generator);
         const found: unknown[] = [];
-        const { lookAhead, margin, linkVersion } = w.contacts as never;
+        const { lookAhead, margin, linkVersion, takesEdges } = w.contacts as never;
         const areLinked = (a: number, b: number) =>
           w.links.some((link) => {
             const [i, j] = [link.a, link.b].map((end) => ('slot' in end ? (end.slot as number) : -1));
@@ -376,7 +414,7 @@ describe('what comes and goes', () => {
         };
         generator.addContacts(
           w.particles,
-          { lookAhead, margin, linkVersion, areLinked, push, makeEdge } as never,
+          { lookAhead, margin, linkVersion, takesEdges, areLinked, push, makeEdge } as never,
           1 / 60,
         );
         w.removeContactGenerator(generator);

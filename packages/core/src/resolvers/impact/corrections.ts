@@ -199,6 +199,7 @@ function gatherOthers(particles: ParticleStore, sources: ContactSources, contact
     links[l].addContacts(particles, contacts, dt);
   }
   sources.findSensors(contacts, dt);
+  contacts.takesEdges = false;
   for (let g = 0; g < generators.length; g++) {
     if (generators[g] instanceof DiscContacts) continue;
     contacts.currentSource = links.length + sources.shapes.list.length + g;

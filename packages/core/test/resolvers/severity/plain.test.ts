@@ -1,7 +1,10 @@
 import {
+  box,
   cable,
+  chain,
   Disc,
   DiscContacts,
+  EdgeContacts,
   explicitEuler,
   HalfPlane,
   type Particle,
@@ -81,6 +84,46 @@ describe('the same as a plain resolver that looks at all contacts in each iterat
   it.each([0, 1, 7, 100])('[R3] with a limit of %i', (iterations) => {
     for (let seed = 100; seed < 115; seed++) compare((resolver) => crowd(seed, resolver), 10, iterations);
   });
+
+  it.each([undefined, 20, 300])(
+    '[R3] in crowds of boxes, ropes and discs, whose edges collide, with a limit of %s',
+    (iterations) => {
+      let edges = 0;
+      for (let seed = 0; seed < 12; seed++) {
+        const build = (resolver: Resolver) => {
+          const random = new Random(seed);
+          const world = new World({ gravity: { x: 0, y: -9.81 }, resolver });
+          world.addContactGenerator(new EdgeContacts(world));
+          world.addContactGenerator(new DiscContacts());
+          world.addShape(new HalfPlane());
+          for (let n = 0; n < 14; n++) {
+            const [x, y, radius] = [random.between(-1, 1), random.between(0.2, 1.5), random.between(0.01, 0.1)];
+            const motion = { vx: random.between(-5, 5), vy: random.between(-5, 5), radius, restitution: random.next() };
+            const mass = random.between(0.01, 100);
+            if (n % 3 === 0) world.addBody(box({ x, y, width: 0.5, height: 0.3, angle: x, mass, ...motion }));
+            else if (n % 3 === 1) world.addParticle({ x, y, mass: n === 1 ? Infinity : mass, ...motion });
+            else world.addBody(chain({ from: { x, y }, to: { x: x + 0.5, y }, free: 'to', links: 4, mass, ...motion }));
+          }
+          return world;
+        };
+        compare(
+          (resolver) => {
+            const world = build(resolver);
+            if (resolver.name === 'plain')
+              world.addForce({
+                apply: () => {
+                  edges += world.contacts.edgeEnd.subarray(0, world.contacts.count).filter((end) => end >= 0).length;
+                },
+              });
+            return world;
+          },
+          15,
+          iterations,
+        );
+      }
+      expect(edges).toBeGreaterThan(500);
+    },
+  );
 
   it('[R3] where many contacts are equally severe: the one found first goes first', () => {
     compare((resolver) => {
