@@ -24,7 +24,8 @@ export interface SegmentOptions extends SurfaceOptions {
 
 /**
  * A straight wall, solid from both sides unless `oneSided`. A particle is pushed out on the side on which its centre is: one that crosses the
- * middle line within a step comes out behind it. Points (radius 0) touch only a segment that has a thickness.
+ * middle line within a step comes out behind it, which cannot happen where the resolver looks ahead, as the sub-step resolver does. Of a
+ * segment without thickness that one keeps points (radius 0) 1 mm off; other resolvers do not let the two touch.
  */
 export class Segment extends Surface implements Shape {
   readonly minX: number;
