@@ -39,7 +39,7 @@ export function checkSections(style: Style): void {
 
 /** Throws at the first thing in the completed sections that cannot be drawn; the message names its place in the data. */
 export function checkSceneStyle(style: SceneStyle): void {
-  for (const [kind, link] of Object.entries(style.links)) if (link) checkLine(`Style: links.${kind}`, link);
+  for (const [kind, link] of Object.entries(style.links)) if (link) checkLink(`Style: links.${kind}`, link);
   if (style.springs) checkSprings('Style: springs', style.springs);
   if (style.bungees) checkCord('Style: bungees', style.bungees);
   if (style.pins) {
@@ -79,9 +79,14 @@ function checkColor(where: string, { color, alpha }: Pick<LinkStyle, 'color' | '
   requireShare(where, 'alpha', alpha);
 }
 
-function checkLine(where: string, style: LinkStyle): void {
+function checkLine(where: string, style: Omit<LinkStyle, 'colorBy'>): void {
   checkColor(where, style);
   requirePositive(where, 'width', style.width, 'pixels');
+}
+
+function checkLink(where: string, style: LinkStyle): void {
+  checkLine(where, style);
+  if (style.colorBy) checkRamp(`${where}.colorBy`, style.colorBy, { strain: '' });
 }
 
 function checkCord(where: string, style: BungeeStyle): void {

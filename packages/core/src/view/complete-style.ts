@@ -52,7 +52,7 @@ export function completeStyle(style: Style): SceneStyle {
     given === null ? null : { ...defaults, ...given };
   const asked = <T>(given: Partial<T> | null | undefined, defaults: T): T | null =>
     given === undefined ? null : section(given, defaults);
-  const line = (width: number): LinkStyle => ({ color: tones.line, width, alpha: 1 });
+  const line = (width: number): LinkStyle => ({ color: tones.line, colorBy: null, width, alpha: 1 });
   const widths: { readonly [kind: string]: number } = { rod: 3, cable: 1.75 };
   const kinds = new Set([...Object.keys(widths), ...Object.keys(links ?? {})]);
   const complete: SceneStyle = {

@@ -4,6 +4,8 @@ import type { Color, Ramp } from './color-style.ts';
 export interface LinkStyle {
   /** @default a grey that suits the background */
   readonly color: Color;
+  /** Replaces `color`: by strain, how much it is longer than its greatest length, or shorter than its smallest, as a share. @default null */
+  readonly colorBy: Ramp<'strain'> | null;
   /** Unit: CSS px. @default 3 for a rod, 1.75 for a cable, 2 for any other */
   readonly width: number;
   /** Opacity, 0 to 1. @default 1 */

@@ -54,6 +54,10 @@ describe('a style of links, scenery and arrows', () => {
         'Style: bungees.colorBy: colors must be two colours or more',
       ],
       [{ links: { rod: { width: 0 } } }, 'Style: links.rod: width must be a positive, finite number of pixels; got 0.'],
+      [
+        { links: { rod: { colorBy: { ...ramp, by: 'force' } } } },
+        `Style: links.rod.colorBy: by must be 'strain'; got "force".`,
+      ],
       [{ pins: { radius: -1 } }, 'Style: pins: radius must be a finite number of pixels, 0 or more; got -1.'],
       [
         { shapes: { hatchSpacing: 0 } },

@@ -93,6 +93,20 @@ describe('links', () => {
     expect(Math.max(...hanging.filter((_, k) => k % 2 === 1))).toBeGreaterThan(60);
   });
 
+  it('are coloured by strain: too long, too short, or neither', () => {
+    const ramp = { by: 'strain', from: -0.5, to: 0.5, colors: ['#0000ff', '#000000', '#ff0000'] } as const;
+    const colorAt = (x: number, minLength: number, maxLength: number): string => {
+      const world = new World();
+      const bob = world.addParticle({ x, y: 0 });
+      world.addLink(new DistanceLink('strut', { x: 0, y: 0 }, bob, { kind: 'strut', minLength, maxLength }));
+      return colors(draw(world, { links: { strut: { colorBy: ramp } }, pins: null }).below)[0];
+    };
+    expect(colorAt(6, 0, 4)).toBe('#ff0000');
+    expect(colorAt(2, 4, 5)).toBe('#0000ff');
+    expect([colorAt(4.5, 4, 5), colorAt(4, 4, 4), colorAt(9, 0, Infinity)]).toEqual(Array(3).fill(colorAt(4, 4, 4)));
+    expect(Number.parseInt(colorAt(4, 4, 4).slice(1), 16) & 0xf0f0f0).toBe(0);
+  });
+
   it('out of sight cost nothing', () => {
     const world = new World({ resolver: severity() });
     world.addLink(rod(world.addParticle({ x: 50, y: 0 }), world.addParticle({ x: 54, y: 0 })));
