@@ -2,12 +2,12 @@ import { makeScene } from '../scene.ts';
 import type { Workload } from '../workload.ts';
 
 const SIZE = 0.5;
-const STEPS = 1200;
+const STEPS = 3600;
 
 export const tower: Workload = {
   id: 'tower',
   title: 'Tower of crates',
-  about: `Boxes of 0.5 m, one on top of the other, friction 0.5, nothing may sleep: how far the top one has sunk and wandered sideways after 20 s.`,
+  about: `Boxes of 0.5 m, one on top of the other, friction 0.5, nothing may sleep: how far the top one has sunk and wandered sideways after 60 s.`,
   needs: ['crates', 'collide'],
   measures: {
     sunk: { title: 'top sinks', unit: 'mm', better: 'less' },
