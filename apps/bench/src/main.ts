@@ -4,9 +4,10 @@
 import { parseArgs } from 'node:util';
 import { engines, quickEngines } from './engines/index.ts';
 import { makeReport, mergeReports } from './report.ts';
-import { runCase } from './runner.ts';
+import { type Result, runCase } from './runner.ts';
 import { readReport, saveReport } from './save.ts';
 import { caseTable, targetTable } from './tables.ts';
+import type { Case } from './workload.ts';
 import { workloads } from './workloads/index.ts';
 
 const HELP = `pnpm bench [options]
@@ -54,9 +55,11 @@ if (options.help) {
   const report = makeReport(chosenEngines, rounds);
   for (const workload of choose(workloads, ({ id }) => id, options.only)) {
     const takePart = chosenEngines.filter(({ id }) => workload.engines?.includes(id) ?? true);
+    const earlier: [Case, Result[]][] = [];
     for (const which of workload.cases) {
       if (caseNames ? !caseNames.includes(which.name) : options.quick && !which.quick) continue;
-      const results = await runCase(workload, which, takePart, rounds);
+      const results = await runCase(workload, which, takePart, rounds, earlier);
+      earlier.push([which, results]);
       report.add(workload, which, results);
       if (options.save) saveReport(mergeReports(readReport(), report.data));
       console.log(`\n${workload.title}: ${which.name}\n${caseTable(workload, results)}`);

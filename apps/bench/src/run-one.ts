@@ -1,7 +1,7 @@
 /** One engine, one case of one workload, in a process of its own: `node run-one.ts <workload> <case> <engine>`. Prints one line of JSON. */
 import type { Engine } from './engine.ts';
 import { engines } from './engines/index.ts';
-import type { Outcome } from './outcome.ts';
+import { type Outcome, TOO_SLOW } from './outcome.ts';
 import type { Bench } from './workload.ts';
 import { workloads } from './workloads/index.ts';
 
@@ -12,7 +12,7 @@ async function makeBench(engine: Engine): Promise<Bench> {
   const build = await engine.load();
   const deadline = performance.now() + PATIENCE;
   function requireTime(now: number): void {
-    if (now > deadline) throw new Error(`too slow: given up after ${PATIENCE / 1000} s`);
+    if (now > deadline) throw new Error(`${TOO_SLOW}: given up after ${PATIENCE / 1000} s`);
   }
   return {
     engine,

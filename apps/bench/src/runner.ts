@@ -1,7 +1,7 @@
 import { spawn } from 'node:child_process';
 import { join } from 'node:path';
 import type { Engine } from './engine.ts';
-import type { Outcome } from './outcome.ts';
+import { type Outcome, TOO_SLOW } from './outcome.ts';
 import { median } from './statistics.ts';
 import type { Case, Values, Workload } from './workload.ts';
 
@@ -29,15 +29,28 @@ export function whyNot({ needs }: Workload, { cannot = {} }: Engine): string | u
   return needs.map((ability) => cannot[ability]).find((reason) => reason !== undefined);
 }
 
-/** Runs each engine once a round, in turns, each run in a process of its own. An engine that failed is not tried again. */
+/** Whether an engine was given up on in a smaller case of the same workload: then a larger one is not tried. */
+function wasTooSlow(engine: string, { n }: Case, earlier: readonly (readonly [Case, readonly Result[]])[]): boolean {
+  return earlier.some(
+    ([smaller, results]) =>
+      smaller.n <= n && results.some((one) => one.engine === engine && one.failure?.startsWith(TOO_SLOW)),
+  );
+}
+
+/**
+ * Runs each engine once a round, in turns, each run in a process of its own. An engine that failed is not tried again.
+ * @param earlier - The cases of the workload that ran before, with their results.
+ */
 export async function runCase(
   workload: Workload,
   which: Case,
   engines: readonly Engine[],
   rounds: number,
+  earlier: readonly (readonly [Case, readonly Result[]])[] = [],
 ): Promise<Result[]> {
   const entries = engines.map((engine) => {
-    return { engine, leftOut: whyNot(workload, engine), runs: [] as Values[], failure: '' };
+    const failure = wasTooSlow(engine.id, which, earlier) ? `${TOO_SLOW}: it was in a smaller case` : '';
+    return { engine, leftOut: whyNot(workload, engine), runs: [] as Values[], failure };
   });
   for (let round = 0; round < rounds; round++) {
     for (const entry of entries) {
