@@ -11,8 +11,10 @@ export class ContactRows {
   offset: Float64Array = new Float64Array(64);
   /** One over the sum of the inverse masses; 0 where neither can move, and for contacts with edges, which have rows of their own. Unit: kg. */
   mass: Float64Array = new Float64Array(64);
-  /** Separating velocity at the start of the step. Unit: m/s. */
-  separating: Float64Array = new Float64Array(64);
+  /** 1 where the contact held something in the step before. */
+  lasting: Uint8Array = new Uint8Array(64);
+  /** Separating velocity, negative, with which the two hit each other in the step; 0 where they did not. Unit: m/s. */
+  closing: Float64Array = new Float64Array(64);
   /** Impulses of one small step, along the normal and the tangent (normalY, -normalX). Unit: N·s. */
   normal: Float64Array = new Float64Array(64);
   tangent: Float64Array = new Float64Array(64);
@@ -23,10 +25,10 @@ export class ContactRows {
     this.count = count;
   }
 
-  /** Reads the contacts and x, y, vx, vy, inverseMass. Writes all but the impulses. */
-  build(contacts: ContactBuffer, { count: slots, x, y, vx, vy, inverseMass }: ParticleArrays): void {
+  /** Reads the contacts, x, y, inverseMass, and the impulses. Writes all the rest. */
+  build(contacts: ContactBuffer, { count: slots, x, y, inverseMass }: ParticleArrays): void {
     const { count, a, b, normalX, normalY, penetration, edgeEnd } = contacts;
-    const { second, offset, mass, separating } = this;
+    const { second, offset, mass, lasting, normal } = this;
     for (let c = 0; c < count; c++) {
       const i = a[c];
       const j = b[c] === SCENERY ? slots : b[c];
@@ -36,7 +38,7 @@ export class ContactRows {
       second[c] = j;
       offset[c] = -penetration[c] - (x[i] - x[j]) * nx - (y[i] - y[j]) * ny;
       mass[c] = w === 0 ? 0 : 1 / w;
-      separating[c] = (vx[i] - vx[j]) * nx + (vy[i] - vy[j]) * ny;
+      lasting[c] = normal[c] > 0 ? 1 : 0;
     }
   }
 }

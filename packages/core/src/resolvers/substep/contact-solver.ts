@@ -2,6 +2,7 @@ import type { ContactBuffer } from '../../contacts/contact-buffer.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 import type { Simulation } from '../../world/simulation.ts';
 import { ContactMotion } from './contact-motion.ts';
+import { ContactRange } from './contact-range.ts';
 import { ContactRows } from './contact-rows.ts';
 import { giveBackEdges, solveEdges } from './edge-contacts.ts';
 import { EdgeRows } from './edge-rows.ts';
@@ -22,6 +23,7 @@ export class ContactSolver {
   readonly #edges = new EdgeRows();
   readonly #memory = new ImpulseMemory();
   readonly #motion = new ContactMotion();
+  readonly #range = new ContactRange();
   #h = 0;
   #soft = RIGID;
   #scenerySoft = RIGID;
@@ -31,32 +33,48 @@ export class ContactSolver {
 
   /**
    * Finds the contacts of the step. Reads the particles, links, shapes and generators. Writes the contacts.
-   * @param dt - Duration of the step. Unit: s.
+   * @param ahead - How far ahead to look. Unit: s.
    */
-  find({ contacts, gravity, sources }: Simulation, dt: number): void {
+  find({ contacts, gravity, particles, sources }: Simulation, ahead: number): void {
     const g = Math.sqrt(gravity.x * gravity.x + gravity.y * gravity.y);
-    contacts.lookAhead = dt;
-    contacts.margin = g * dt * dt;
-    this.#resting = g * dt;
-    this.#calm = 2 * g * dt;
-    sources.gather(contacts, dt, true);
+    contacts.lookAhead = ahead;
+    contacts.margin = g * ahead * ahead;
+    this.#range.note(particles, contacts);
+    sources.gather(contacts, ahead, true);
   }
 
   /**
    * Makes rows of the contacts. Reads the contacts and particles. Writes the rows.
+   * @param dt - Duration of the step. Unit: s.
    * @param h - Duration of a small step. Unit: s.
    */
-  begin({ contacts, particles, sources }: Simulation, h: number): void {
+  begin(simulation: Simulation, dt: number, h: number): void {
+    const { x, y } = simulation.gravity;
+    this.#resting = Math.sqrt(x * x + y * y) * dt;
+    this.#calm = 2 * this.#resting;
+    if (h !== this.#h) {
+      this.#h = h;
+      this.#soft = softness(HERTZ, DAMPING_RATIO, h);
+      this.#scenerySoft = softness(SCENERY_HERTZ, DAMPING_RATIO, h);
+    }
+    this.#makeRows(simulation, false);
+  }
+
+  /** Looks for contacts again, within the step, if something may go farther than they were looked for. */
+  findAgain(simulation: Simulation, rest: number): void {
+    if (this.#rows.count === 0 || !this.#range.isLeft(simulation.particles, rest)) return;
+    this.keep(simulation);
+    this.find(simulation, rest);
+    this.#makeRows(simulation, true);
+  }
+
+  #makeRows({ contacts, particles, sources }: Simulation, within: boolean): void {
     const rows = this.#rows;
     rows.reserve(contacts.count);
-    this.#memory.recall(contacts, rows, sources.links.length, h);
+    this.#memory.recall(contacts, rows, sources.links.length, this.#h, within);
     rows.build(contacts, particles);
     this.#edges.build(contacts, rows, particles);
     this.#motion.begin(contacts, rows, this.#edges, particles);
-    if (h === this.#h) return;
-    this.#h = h;
-    this.#soft = softness(HERTZ, DAMPING_RATIO, h);
-    this.#scenerySoft = softness(SCENERY_HERTZ, DAMPING_RATIO, h);
   }
 
   /** Begins a small step with what the contacts did in the last one. Writes vx, vy. */

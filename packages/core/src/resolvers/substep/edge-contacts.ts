@@ -10,7 +10,23 @@ import { FASTEST_PUSH, OVER_RELAXATION } from './solve-contacts.ts';
  * @param calm - Speed along the normal below which a contact is calm. Unit: m/s.
  */
 export function solveEdges(
-  { count, a, b, e, share, normalX, normalY, offset, mass, friction, normal, tangent, contact }: EdgeRows,
+  {
+    count,
+    a,
+    b,
+    e,
+    share,
+    normalX,
+    normalY,
+    offset,
+    mass,
+    friction,
+    lasting,
+    closing,
+    normal,
+    tangent,
+    contact,
+  }: EdgeRows,
   { impulse, tangentImpulse }: ContactBuffer,
   { x, y, vx, vy, inverseMass }: ParticleArrays,
   { biasRate, massScale, impulseScale }: Softness,
@@ -34,11 +50,11 @@ export function solveEdges(
     const before = normal[r];
     const speed = ux * nx + uy * ny;
     const response = before > 0 && speed < calm && speed > -calm ? OVER_RELAXATION * mass[r] : mass[r];
-    const wanted =
-      gap > 0
-        ? before - response * (speed + gap * perStep)
-        : before * kept - response * massScale * (speed + Math.max(gap * biasRate, -FASTEST_PUSH));
+    const soft = gap <= 0 && lasting[r] === 1;
+    const rate = gap > 0 ? gap * perStep : Math.max(gap * biasRate, -FASTEST_PUSH);
+    const wanted = (soft ? before * kept : before) - response * (soft ? massScale : 1) * (speed + rate);
     const after = Math.max(wanted, 0);
+    if (before === 0 && after > 0 && speed < closing[r]) closing[r] = speed;
     normal[r] = after;
     impulse[contact[r]] += after;
     let px = (after - before) * nx;
@@ -67,13 +83,13 @@ export function solveEdges(
 
 /** `giveBack` for contacts with edges. Reads the rows, inverseMass. Writes vx, vy, and the sums of the impulses. */
 export function giveBackEdges(
-  { count, a, b, e, share, normalX, normalY, mass, restitution, separating, contact }: EdgeRows,
+  { count, a, b, e, share, normalX, normalY, mass, restitution, closing, contact }: EdgeRows,
   { impulse }: ContactBuffer,
   { vx, vy, inverseMass }: ParticleArrays,
   resting: number,
 ): void {
   for (let r = 0; r < count; r++) {
-    if (restitution[r] === 0 || separating[r] >= -resting || impulse[contact[r]] === 0) continue;
+    if (restitution[r] === 0 || closing[r] >= -resting || impulse[contact[r]] === 0) continue;
     const i = a[r];
     const j = b[r];
     const k = e[r];
@@ -81,7 +97,7 @@ export function giveBackEdges(
     const ux = vx[i] - vx[j] - t * (vx[k] - vx[j]);
     const uy = vy[i] - vy[j] - t * (vy[k] - vy[j]);
     const speed = ux * normalX[r] + uy * normalY[r];
-    const J = Math.max(-impulse[contact[r]], -mass[r] * (speed + restitution[r] * separating[r]));
+    const J = Math.max(-impulse[contact[r]], -mass[r] * (speed + restitution[r] * closing[r]));
     const px = J * normalX[r];
     const py = J * normalY[r];
     const wj = inverseMass[j] * (1 - t);

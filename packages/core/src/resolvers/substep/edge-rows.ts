@@ -23,16 +23,18 @@ export class EdgeRows {
   mass: Float64Array = new Float64Array(16);
   friction: Float64Array = new Float64Array(16);
   restitution: Float64Array = new Float64Array(16);
-  /** Separating velocity at the start of the step. Unit: m/s. */
-  separating: Float64Array = new Float64Array(16);
+  /** 1 where the contact held something in the step before. */
+  lasting: Uint8Array = new Uint8Array(16);
+  /** Separating velocity, negative, with which the two hit each other in the step; 0 where they did not. Unit: m/s. */
+  closing: Float64Array = new Float64Array(16);
   /** Impulses of one small step, along the normal and the tangent (normalY, -normalX). Unit: N·s. */
   normal: Float64Array = new Float64Array(16);
   tangent: Float64Array = new Float64Array(16);
   /** Index of the contact. */
   contact: Int32Array = new Int32Array(16);
 
-  /** Reads the contacts, their impulses of a small step, and x, y, vx, vy, inverseMass. Writes the rows. */
-  build(contacts: ContactBuffer, before: Impulses, { x, y, vx, vy, inverseMass }: ParticleArrays): void {
+  /** Reads the contacts, their impulses of a small step, and x, y, inverseMass. Writes the rows. */
+  build(contacts: ContactBuffer, before: Impulses, { x, y, inverseMass }: ParticleArrays): void {
     const { count, a, b, normalX, normalY, edgeEnd, edgeShare } = contacts;
     let r = 0;
     for (let c = 0; c < count; c++) {
@@ -48,8 +50,6 @@ export class EdgeRows {
       const ny = normalY[c];
       const dx = x[i] - x[j] - t * (x[k] - x[j]);
       const dy = y[i] - y[j] - t * (y[k] - y[j]);
-      const ux = vx[i] - vx[j] - t * (vx[k] - vx[j]);
-      const uy = vy[i] - vy[j] - t * (vy[k] - vy[j]);
       this.a[r] = i;
       this.b[r] = j;
       this.e[r] = k;
@@ -60,7 +60,8 @@ export class EdgeRows {
       this.mass[r] = 1 / w;
       this.friction[r] = contacts.friction[c];
       this.restitution[r] = contacts.restitution[c];
-      this.separating[r] = ux * nx + uy * ny;
+      this.lasting[r] = before.normal[c] > 0 ? 1 : 0;
+      this.closing[r] = before.closing[c];
       this.normal[r] = before.normal[c];
       this.tangent[r] = before.tangent[c];
       this.contact[r++] = c;
@@ -96,13 +97,14 @@ export class EdgeRows {
   }
 
   /** Hands the impulses of a small step back. */
-  report({ normal, tangent }: Impulses): void {
+  report({ normal, tangent, closing }: Impulses): void {
     for (let r = 0; r < this.count; r++) {
       normal[this.contact[r]] = this.normal[r];
       tangent[this.contact[r]] = this.tangent[r];
+      closing[this.contact[r]] = this.closing[r];
     }
   }
 }
 
-/** Impulses of a small step, by contact. */
-type Impulses = Readonly<Record<'normal' | 'tangent', Float64Array>>;
+/** Impulses of a small step and closing speeds, by contact. */
+type Impulses = Readonly<Record<'normal' | 'tangent' | 'closing', Float64Array>>;

@@ -37,6 +37,11 @@ export class LinkGroups {
     }
   }
 
+  /** Undoes by position what contacts have done to the lengths. Writes x, y. */
+  straighten(particles: ParticleArrays): void {
+    for (let s = 0; s < this.#list.length; s++) this.#list[s].straighten?.(particles);
+  }
+
   #sort(all: readonly Link[], particles: ParticleArrays): void {
     const groups = new Map<() => LinkSolver, number[]>();
     for (let l = 0; l < all.length; l++) {

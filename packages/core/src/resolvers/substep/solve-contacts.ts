@@ -14,13 +14,13 @@ export const OVER_RELAXATION = 1.2;
 
 /**
  * One pass over rows (projected Gauss-Seidel). An open gap may close within the small step and no more; a penetration is undone
- * softly; a hit is stopped at once. Friction holds up to its coefficient times the normal impulse, and then slides.
+ * softly, if the contact lasted from the step before; a hit is stopped at once. Friction holds up to its coefficient times the normal impulse, and then slides.
  * Reads the contacts, the rows, x, y, inverseMass. Writes vx, vy, the impulses of the rows; adds to those of the contacts.
  * @param calm - Speed along the normal below which a contact is calm. Unit: m/s.
  */
 export function solveContacts(
   { a, normalX, normalY, friction, surfaceSpeed, impulse, tangentImpulse }: ContactBuffer,
-  { second, offset, mass, normal, tangent }: ContactRows,
+  { second, offset, mass, lasting, closing, normal, tangent }: ContactRows,
   start: number,
   end: number,
   { x, y, vx, vy, inverseMass }: ParticleArrays,
@@ -41,12 +41,11 @@ export function solveContacts(
     const before = normal[r];
     const speed = ux * nx + uy * ny;
     const response = before > 0 && speed < calm && speed > -calm ? OVER_RELAXATION * mass[r] : mass[r];
-    const wanted =
-      gap > 0
-        ? before - response * (speed + gap * perStep)
-        : before * kept -
-          (before > 0 ? response * massScale : response) * (speed + Math.max(gap * biasRate, -FASTEST_PUSH));
+    const soft = gap <= 0 && lasting[r] === 1;
+    const rate = gap > 0 ? gap * perStep : Math.max(gap * biasRate, -FASTEST_PUSH);
+    const wanted = (soft ? before * kept : before) - response * (soft ? massScale : 1) * (speed + rate);
     const after = Math.max(wanted, 0);
+    if (before === 0 && after > 0 && speed < closing[r]) closing[r] = speed;
     normal[r] = after;
     impulse[r] += after;
     let px = (after - before) * nx;
@@ -103,24 +102,24 @@ export function takeBackPush(
 }
 
 /**
- * Gives back a share of the closing speed that the step began with, where two hit each other in it. Reads the rows, inverseMass.
+ * Gives back a share of the closing speed with which two hit each other in the step. Reads the rows, inverseMass.
  * Writes vx, vy, and the contacts' impulses.
  * @param resting - Closing speed up to which a contact rests. Unit: m/s.
  */
 export function giveBack(
   { count, a, normalX, normalY, restitution, impulse }: ContactBuffer,
-  { second, mass, separating }: ContactRows,
+  { second, mass, closing }: ContactRows,
   { vx, vy, inverseMass }: ParticleArrays,
   resting: number,
 ): void {
   for (let r = 0; r < count; r++) {
-    if (restitution[r] === 0 || separating[r] >= -resting || impulse[r] === 0) continue;
+    if (restitution[r] === 0 || closing[r] >= -resting || impulse[r] === 0) continue;
     const i = a[r];
     const j = second[r];
     const nx = normalX[r];
     const ny = normalY[r];
     const speed = (vx[i] - vx[j]) * nx + (vy[i] - vy[j]) * ny;
-    const J = Math.max(-impulse[r], -mass[r] * (speed + restitution[r] * separating[r]));
+    const J = Math.max(-impulse[r], -mass[r] * (speed + restitution[r] * closing[r]));
     impulse[r] += J;
     vx[i] += J * inverseMass[i] * nx;
     vy[i] += J * inverseMass[i] * ny;

@@ -59,23 +59,27 @@ class SubstepResolver implements Resolver {
   }
 
   step(simulation: Simulation, dt: number): boolean {
-    const { particles, forces, gravity, sources, time } = simulation;
+    const { particles, forces, gravity, sources, contacts, time } = simulation;
     if (sources.isEmpty) return flyFreely(simulation, dt);
     const h = dt / this.#subSteps;
     this.#sleep.spread(particles);
     do this.#contacts.find(simulation, dt);
     while (this.#sleep.wakeTouched(simulation.contacts, particles));
-    this.#contacts.begin(simulation, h);
+    this.#contacts.begin(simulation, dt, h);
     this.#links.begin(sources, particles);
     this.#held.note(particles);
     for (let k = 0; k < this.#subSteps; k++) {
-      if (k > 0) this.#held.restore(particles);
+      if (k > 0) {
+        this.#held.restore(particles);
+        this.#contacts.findAgain(simulation, dt - k * h);
+      }
       forces.apply(h, time + k * h);
       accelerateAll(particles, gravity, h);
       this.#contacts.repeat(particles);
       this.#links.solve(particles, h);
       this.#contacts.solve(simulation);
       if (!move(particles, h)) return false;
+      if (contacts.count > 0) this.#links.straighten(particles);
     }
     this.#contacts.relax(simulation);
     this.#contacts.keep(simulation);
