@@ -24,9 +24,11 @@ export interface Result {
   readonly unsound?: string;
 }
 
-/** Why an engine takes no part in a workload; nothing if it does. */
-export function whyNot({ needs }: Workload, { cannot = {} }: Engine): string | undefined {
-  return needs.map((ability) => cannot[ability]).find((reason) => reason !== undefined);
+/** Why an engine takes no part in a case; nothing if it does. */
+export function whyNot(workload: Workload, which: Case, { cannot = {} }: Engine): string | undefined {
+  return [...workload.needs, ...(which.needs ?? [])]
+    .map((ability) => cannot[ability])
+    .find((reason) => reason !== undefined);
 }
 
 /** Whether an engine was given up on in a smaller case of the same workload: then a larger one is not tried. */
@@ -50,7 +52,7 @@ export async function runCase(
 ): Promise<Result[]> {
   const entries = engines.map((engine) => {
     const failure = wasTooSlow(engine.id, which, earlier) ? `${TOO_SLOW}: it was in a smaller case` : '';
-    return { engine, leftOut: whyNot(workload, engine), runs: [] as Values[], failure };
+    return { engine, leftOut: whyNot(workload, which, engine), runs: [] as Values[], failure };
   });
   for (let round = 0; round < rounds; round++) {
     for (const entry of entries) {

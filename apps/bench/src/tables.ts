@@ -6,7 +6,7 @@ import type { Measure } from './workload.ts';
 const OWN = 'mass';
 const REMARK = 90;
 
-/** A number with three digits that count. */
+/** A number with two or three digits that count; a dash for one that could not be had. */
 export function format(value: number | null): string {
   if (value === null || Number.isNaN(value)) return '–'; // JSON has null for NaN
   if (value === 0) return '0';

@@ -19,6 +19,8 @@ export interface Measure {
 export interface Case {
   readonly name: string;
   readonly n: number;
+  /** What it asks of an engine besides what the workload does. */
+  readonly needs?: readonly Ability[];
   /** Whether `--quick` runs it. */
   readonly quick?: boolean;
   /** Targets that hold for this case alone, by measure. */

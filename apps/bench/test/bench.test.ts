@@ -45,7 +45,8 @@ async function briefBench(engine: Engine): Promise<{ bench: Bench; built: [Scene
 }
 
 const runs = workloads.flatMap((workload) => {
-  const takePart = (id: string) => (workload.engines?.includes(id) ?? true) && !whyNot(workload, engineOf(id));
+  const takePart = (id: string) =>
+    (workload.engines?.includes(id) ?? true) && !whyNot(workload, workload.cases[0], engineOf(id));
   return ['mass', 'planck'].filter(takePart).map((id): [string, string, Workload] => [workload.id, id, workload]);
 });
 
