@@ -6,6 +6,7 @@ import { linkGraph } from './link-graph.ts';
 import { CABLE, INVERSE_MASS, LENGTH, RANGE, ROD, ROW, TENSION, TOTAL, TreeTable } from './solve-tree.ts';
 import { spanningForests } from './spanning-forests.ts';
 import { StiffTable } from './stiff-table.ts';
+import { straighten } from './straighten.ts';
 import { TreeSolver } from './tree-solver.ts';
 
 /** Makes what keeps links of limited length in the sub-step resolver. */
@@ -70,6 +71,13 @@ class ForestSolver implements LinkSolver {
     const { trees } = this.#layout;
     for (let tree = 0; tree < trees.length - 1; tree++) {
       if (this.#awake[tree] === 1) this.#solver.solve(tree, trees[tree], trees[tree + 1], particles, h);
+    }
+  }
+
+  straighten(particles: ParticleArrays): void {
+    const { trees } = this.#layout;
+    for (let tree = 0; tree < trees.length - 1; tree++) {
+      if (this.#awake[tree] === 1) straighten(this.#table, this.#stiff, trees[tree], trees[tree + 1], particles);
     }
   }
 

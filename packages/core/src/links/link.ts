@@ -35,4 +35,6 @@ export interface LinkSolver {
    * @param h - Duration of the small step. Unit: s.
    */
   solve(particles: ParticleArrays, h: number): void;
+  /** Brings links back to their lengths by position alone, after contacts have pushed their ends. Writes x, y. */
+  straighten?(particles: ParticleArrays): void;
 }
