@@ -1,16 +1,27 @@
 import type { ContactBuffer } from '../contacts/contact-buffer.ts';
 import type { ContactGenerator } from '../contacts/contact-generator.ts';
+import { requireFunction } from '../math/checks.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
+import { mayTouch } from './filter.ts';
 import { NeighbourList } from './neighbour-list.ts';
 import { EARLY_SHARE } from './shape-contacts.ts';
 import { timeOfTouch } from './swept-discs.ts';
 
 /** Two discs that come nearer by more than this share of their radii while the world looks ahead are followed on their way. */
-const FAST_SHARE = 0.25;
+const FAST_SHARE = 0.02;
+
+/** Which discs collide. */
+export interface DiscContactsOptions {
+  /**
+   * Whether two particles, by slot, collide: asked, on top of their categories and masks, for each pair that is near. It must give the
+   * same answer for the two in either order. @default all do
+   */
+  filter?: (a: number, b: number) => boolean;
+}
 
 /**
  * Collision of particles with each other, as discs of their radius. Points (radius 0), two immovable ones, two that sleep, and
- * particles that a link joins do not collide. The greater restitution of the two counts, and the geometric mean of their
+ * particles that a link joins do not collide, nor do those whose categories and masks forbid it; sensors only tell. The greater restitution of the two counts, and the geometric mean of their
  * frictions. Contacts come in the order of the slots.
  *
  * @example
@@ -20,13 +31,19 @@ const FAST_SHARE = 0.25;
  */
 export class DiscContacts implements ContactGenerator {
   readonly #neighbours = new NeighbourList();
+  readonly #filter: ((a: number, b: number) => boolean) | undefined;
+
+  constructor({ filter }: DiscContactsOptions = {}) {
+    if (filter !== undefined) requireFunction('DiscContacts', 'filter', filter, '(a, b) => boolean');
+    this.#filter = filter;
+  }
 
   /**
-   * Reads x, y, vx, vy, radius, inverseMass, restitution, friction, asleep. Adds a contact for each pair that touches, nearly does,
+   * Reads x, y, vx, vy, radius, inverseMass, restitution, friction, category, mask, sensor, asleep. Adds a contact for each pair that touches, nearly does,
    * or will within the time that the contacts look ahead.
    */
   addContacts(particles: ParticleArrays, contacts: ContactBuffer): void {
-    const { count, x, y, vx, vy, radius, inverseMass, restitution, friction, asleep } = particles;
+    const { count, x, y, vx, vy, radius, inverseMass, restitution, friction, sensor } = particles;
     const { lookAhead, margin } = contacts;
     const room = contacts.reserve(this.#neighbours.update(particles, contacts));
     const { first, other, reach } = this.#neighbours;
@@ -40,7 +57,12 @@ export class DiscContacts implements ContactGenerator {
         const near = reach[i] + reach[j];
         const square = dx * dx + dy * dy;
         if (square >= near * near) continue;
-        if (inverseMass[i] + inverseMass[j] === 0 || asleep[i] + asleep[j] === 2) continue;
+        if (inverseMass[i] + inverseMass[j] === 0 && !wakes(particles, i, j)) continue;
+        if (!mayTouch(particles, i, j) || this.#filter?.(i, j) === false) continue;
+        if (sensor[i] + sensor[j] > 0) {
+          tellSensor(particles, contacts, i, j);
+          continue;
+        }
         const sum = radius[i] + radius[j];
         let distance = Math.sqrt(square);
         // Concentric discs define no direction: any will do.
@@ -77,4 +99,18 @@ export class DiscContacts implements ContactGenerator {
     }
     contacts.finish(c);
   }
+}
+
+/** Whether one of two that nothing moves sleeps, and the other comes along: a platform, say. */
+function wakes({ asleep, vx, vy }: ParticleArrays, i: number, j: number): boolean {
+  return asleep[i] + asleep[j] === 1 && (vx[i] !== 0 || vy[i] !== 0 || vx[j] !== 0 || vy[j] !== 0);
+}
+
+/** Tells of two that overlap, one of which is a sensor. */
+function tellSensor({ x, y, radius }: ParticleArrays, contacts: ContactBuffer, i: number, j: number): void {
+  const dx = x[i] - x[j];
+  const dy = y[i] - y[j];
+  const distance = Math.sqrt(dx * dx + dy * dy);
+  if (distance >= radius[i] + radius[j]) return;
+  contacts.addSensor(i, j, distance === 0 ? 0 : dx / distance, distance === 0 ? 1 : dy / distance);
 }

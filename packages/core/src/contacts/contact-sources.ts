@@ -114,7 +114,7 @@ export class ContactSources {
     if (this.#removals === this.#store.removals) return;
     this.#removals = this.#store.removals;
     const before = this.#links.list.length;
-    this.#links.keep(({ a, b }) => isEndAlive(a) && isEndAlive(b));
+    this.#links.keep(isWhole);
     this.#pairsAreOld ||= this.#links.list.length < before;
   }
 
@@ -131,4 +131,11 @@ export class ContactSources {
     }
     return this.#linkedPairs;
   }
+}
+
+/** Whether both ends of a link are there; if not, the one that is wakes: nothing holds it any more. */
+function isWhole({ a, b }: Link): boolean {
+  if (isEndAlive(a) && isEndAlive(b)) return true;
+  for (const end of [a, b]) if (isEndAlive(end)) particleOf(end)?.wake();
+  return false;
 }

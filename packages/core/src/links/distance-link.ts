@@ -1,6 +1,6 @@
 import type { Contacts } from '../contacts/contacts.ts';
 import { requireNonNegative, requireOrdered, requirePositiveOrInfinite, requireShare } from '../math/checks.ts';
-import { checkedEnds, type End, particleOf } from '../particles/end.ts';
+import { checkedEnds, type End, isEndAlive, particleOf } from '../particles/end.ts';
 import { Particle } from '../particles/particle.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import { forestSolver } from './forest-solver.ts';
@@ -112,6 +112,7 @@ export class DistanceLink implements LimitedLink {
     requireOrdered('DistanceLink.setLength', 'length', minLength, maxLength, 'm');
     this.#minLength = minLength;
     this.#maxLength = maxLength;
+    for (const end of [this.a, this.b]) if (isEndAlive(end)) particleOf(end)?.wake();
   }
 
   /** Distance of the ends now. Unit: m. */

@@ -1,5 +1,4 @@
-import type { ContactArrays } from '../../contacts/contact-arrays.ts';
-import { NO_EDGE, SCENERY } from '../../contacts/contact-buffer.ts';
+import { type ContactBuffer, NO_EDGE, SCENERY } from '../../contacts/contact-buffer.ts';
 import { growColumns } from '../../math/columns.ts';
 import { particleOf } from '../../particles/end.ts';
 import type { ParticleStore } from '../../particles/particle-store.ts';
@@ -71,18 +70,31 @@ export class Sleep {
   }
 
   /** Wakes the islands that are touched by what is awake. Returns whether there were any. */
-  wakeTouched({ count, a, b, edgeEnd }: ContactArrays, particles: ParticleStore): boolean {
+  wakeTouched(contacts: ContactBuffer, particles: ParticleStore): boolean {
     if (particles.sleeping === 0) return false;
     const { asleep, changes } = particles;
+    const { count, a, b, edgeEnd } = contacts;
     for (let c = 0; c < count; c++) {
       if (b[c] === SCENERY) continue;
       const sleepers = asleep[a[c]] + asleep[b[c]] + (edgeEnd[c] === NO_EDGE ? 0 : asleep[edgeEnd[c]]);
-      if (sleepers === 0) continue;
+      if (sleepers === 0 || !this.#disturbs(contacts, particles, c)) continue;
       for (const slot of [a[c], b[c], edgeEnd[c]]) if (slot !== NO_EDGE && asleep[slot] === 1) particles.wake(slot);
     }
     if (changes === particles.changes) return false;
     this.spread(particles);
     return true;
+  }
+
+  /** Whether the two touch, or come nearer. What is only near disturbs nobody's sleep. */
+  #disturbs(
+    { a, b, normalX, normalY, penetration, margin }: ContactBuffer,
+    { vx, vy }: ParticleStore,
+    c: number,
+  ): boolean {
+    if (penetration[c] >= -margin) return true;
+    const ux = vx[a[c]] - vx[b[c]];
+    const uy = vy[a[c]] - vy[b[c]];
+    return ux * normalX[c] + uy * normalY[c] < -this.#speed;
   }
 
   /** Puts to sleep what has come to rest. Reads vx, vy, the contacts and links. Writes asleep, inverseMass, vx, vy. */

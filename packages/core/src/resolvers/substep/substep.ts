@@ -33,16 +33,50 @@ export function substep(options: SubstepOptions = {}): Resolver {
   requireInteger('substep', 'subSteps', subSteps, 1, 64);
   requirePositiveOrInfinite('substep', 'sleepTime', sleepTime, 'seconds');
   requireNonNegative('substep', 'sleepSpeed', sleepSpeed, 'metres per second');
-  return new SubstepResolver(subSteps, new Sleep(sleepTime, sleepSpeed));
+  return new SubstepResolver(() => new SmallSteps(subSteps, new Sleep(sleepTime, sleepSpeed)));
 }
 
+/** One value serves any number of worlds: what is kept from step to step is kept for each. */
 class SubstepResolver implements Resolver {
   readonly name = 'substep';
+  readonly #make: () => SmallSteps;
+  readonly #worlds = new WeakMap<Simulation, SmallSteps>();
+  /** The world that was asked for last. */
+  #simulation: Simulation | undefined;
+  #steps: SmallSteps | undefined;
+
+  constructor(make: () => SmallSteps) {
+    this.#make = make;
+  }
+
+  isAtRest(simulation: Simulation): boolean {
+    return this.#of(simulation).isAtRest(simulation);
+  }
+
+  addLinkImpulses(simulation: Simulation, impulses: Float64Array): void {
+    this.#of(simulation).addLinkImpulses(simulation, impulses);
+  }
+
+  step(simulation: Simulation, dt: number): boolean {
+    return this.#of(simulation).step(simulation, dt);
+  }
+
+  #of(simulation: Simulation): SmallSteps {
+    if (this.#simulation === simulation && this.#steps !== undefined) return this.#steps;
+    const steps = this.#worlds.get(simulation) ?? this.#make();
+    this.#worlds.set(simulation, steps);
+    this.#simulation = simulation;
+    this.#steps = steps;
+    return steps;
+  }
+}
+
+/** The step of one world. */
+class SmallSteps {
   readonly #subSteps: number;
   readonly #contacts = new ContactSolver();
   readonly #links = new LinkGroups();
   readonly #held = new HeldForces();
-
   readonly #sleep: Sleep;
 
   constructor(subSteps: number, sleep: Sleep) {
@@ -64,7 +98,7 @@ class SubstepResolver implements Resolver {
     const h = dt / this.#subSteps;
     this.#sleep.spread(particles);
     do this.#contacts.find(simulation, dt);
-    while (this.#sleep.wakeTouched(simulation.contacts, particles));
+    while (this.#sleep.wakeTouched(contacts, particles));
     this.#contacts.begin(simulation, dt, h);
     this.#links.begin(sources, particles);
     this.#held.note(particles);
