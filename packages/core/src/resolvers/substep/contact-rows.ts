@@ -5,6 +5,9 @@ import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 /** What the solver needs beside the contacts themselves, in the same order. A contact keeps its normal through the step. */
 export class ContactRows {
   count = 0;
+  /** What gravity adds to a velocity in a small step. Unit: m/s. */
+  fallX = 0;
+  fallY = 0;
   /** Slot of the second: scenery has that after the last particle, where nothing moves. */
   second: Int32Array = new Int32Array(64);
   /** The gap is this plus (x_a - x_b)·n. Unit: m. */

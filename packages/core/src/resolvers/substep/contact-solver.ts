@@ -51,6 +51,8 @@ export class ContactSolver {
   begin(simulation: Simulation, dt: number, h: number): void {
     const { x, y } = simulation.gravity;
     this.#resting = Math.sqrt(x * x + y * y) * dt;
+    this.#rows.fallX = x * h;
+    this.#rows.fallY = y * h;
     this.#calm = 2 * this.#resting;
     if (h !== this.#h) {
       this.#h = h;

@@ -20,7 +20,7 @@ export const OVER_RELAXATION = 1.2;
  */
 export function solveContacts(
   { a, normalX, normalY, friction, surfaceSpeed, impulse, tangentImpulse }: ContactBuffer,
-  { second, offset, mass, lasting, closing, normal, tangent }: ContactRows,
+  { second, offset, mass, lasting, closing, normal, tangent, fallX, fallY }: ContactRows,
   start: number,
   end: number,
   { x, y, vx, vy, inverseMass }: ParticleArrays,
@@ -45,7 +45,11 @@ export function solveContacts(
     const rate = gap > 0 ? gap * perStep : Math.max(gap * biasRate, -FASTEST_PUSH);
     const wanted = (soft ? before * kept : before) - response * (soft ? massScale : 1) * (speed + rate);
     const after = Math.max(wanted, 0);
-    if (before === 0 && after > 0 && speed < closing[r]) closing[r] = speed;
+    if (before === 0 && after > 0) {
+      // As it was before gravity acted in this small step: so what bounces never gains by it.
+      const falls = (inverseMass[i] === 0 ? 0 : 1) - (inverseMass[j] === 0 ? 0 : 1);
+      closing[r] = Math.min(closing[r], speed - falls * (fallX * nx + fallY * ny));
+    }
     normal[r] = after;
     impulse[r] += after;
     let px = (after - before) * nx;
