@@ -2,6 +2,9 @@ import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import { CORRECTION, NEAR, NODE, POINT, ROUNDING, type TreeTable } from './solve-tree.ts';
 import type { StiffTable } from './stiff-table.ts';
 
+/** Share of what a link is off by that is mended at once where energy is to be taken out. */
+const GENTLY = 0.1;
+
 /** A cable jerks again once it was shorter than its length by more than this share. */
 const LOOSE = 0.001;
 
@@ -16,8 +19,9 @@ export function aimLinks(
   to: number,
   particles: ParticleArrays,
   h: number,
+  calm: number,
 ): void {
-  const { minLength, maxLength, restitution, side, taut, goal, before } = stiff;
+  const { minLength, maxLength, compliance, restitution, side, taut, goal, before } = stiff;
   for (let k = from + 1; k < to; k++) {
     const min = minLength[k];
     const max = maxLength[k];
@@ -37,8 +41,12 @@ export function aimLinks(
       }
       taut[k] = next > (1 - LOOSE) * max || next < (1 + LOOSE) * min ? 1 : 0;
     }
-    if (length > (1 + CORRECTION) * aim) aim = length - CORRECTION * aim;
-    else if (length < (1 - CORRECTION) * aim) aim = length + CORRECTION * aim;
+    if (compliance[k] === 0) {
+      const off = aim - length;
+      if (calm === 1 && (side[k] === 2 || side[k] * off < 0)) aim = length + GENTLY * off;
+      if (length > (1 + CORRECTION) * aim) aim = length - CORRECTION * aim;
+      else if (length < (1 - CORRECTION) * aim) aim = length + CORRECTION * aim;
+    }
     goal[k] = aim;
   }
 }

@@ -1,3 +1,4 @@
+import { particleOf } from '../particles/end.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import { type ForestLayout, layOutForests } from './lay-out-forests.ts';
 import type { LimitedLink } from './limited-link.ts';
@@ -28,6 +29,8 @@ class ForestSolver implements LinkSolver {
   #awake = new Uint8Array(0);
   /** 1 for each slot that could move when the trees were laid out. */
   #movable = new Uint8Array(0);
+  /** Slots of the particles whose links are in no tree, because neither end could move. */
+  #idle: number[] = [];
   #impulse = new Float64Array(0);
 
   get impulse(): Float64Array {
@@ -43,6 +46,9 @@ class ForestSolver implements LinkSolver {
     const table = this.#table;
     this.#layout = layOutForests(table, links, graph, spanningForests(graph));
     this.#links = links;
+    this.#idle = links.flatMap(({ a, b }, l) =>
+      (graph.near[l] < 0 ? [a, b] : []).flatMap((end) => particleOf(end)?.slot ?? []),
+    );
     const { count, link, rows, slot } = table;
     const trees = this.#layout.trees.length - 1;
     this.#stiff.clear(slot.length);
@@ -63,7 +69,9 @@ class ForestSolver implements LinkSolver {
       const from = trees[tree];
       const to = trees[tree + 1];
       this.#awake[tree] = this.#readNodes(from, to, particles);
-      if (this.#awake[tree] === 1 && this.#areWound(from, to)) this.#solver.plain[tree] = this.#readLinks(from, to);
+      if (this.#awake[tree] === 0 || !this.#areWound(from, to)) continue;
+      this.#solver.plain[tree] = this.#readLinks(from, to);
+      this.#solver.elastic[tree] = this.#stiff.compliance.subarray(from + 1, to).some((give) => give > 0) ? 1 : 0;
     }
   }
 
@@ -87,6 +95,7 @@ class ForestSolver implements LinkSolver {
     for (let k = 0; k < count; k++) {
       if (slot[k] >= 0 && inverseMass[slot[k]] > 0 !== (this.#movable[k] === 1)) return false;
     }
+    for (let i = 0; i < this.#idle.length; i++) if (inverseMass[this.#idle[i]] > 0) return false;
     return true;
   }
 

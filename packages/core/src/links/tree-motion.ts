@@ -1,5 +1,5 @@
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
-import { INVERSE_MASS, ROW, TENSION, TOTAL, type TreeTable } from './solve-tree.ts';
+import { INVERSE_MASS, LENGTH, ROW, TENSION, TOTAL, type TreeTable } from './solve-tree.ts';
 
 const NUMBERS = 4;
 
@@ -42,6 +42,28 @@ export function kineticEnergy({ slot, rows }: TreeTable, from: number, to: numbe
     const s = slot[k];
     const w = rows[k * ROW + INVERSE_MASS];
     if (w > 0) sum += (vx[s] * vx[s] + vy[s] * vy[s]) / w;
+  }
+  return sum / 2;
+}
+
+/** Slows a tree down to an energy of motion that its links cannot have meant to exceed. */
+export function slowTo(most: number, t: TreeTable, from: number, to: number, particles: ParticleArrays): void {
+  const energy = kineticEnergy(t, from, to, particles);
+  if (!(energy > most)) return;
+  const share = Math.sqrt(most / energy);
+  for (let k = from; k < to; k++) {
+    if (t.rows[k * ROW + INVERSE_MASS] === 0) continue;
+    particles.vx[t.slot[k]] *= share;
+    particles.vy[t.slot[k]] *= share;
+  }
+}
+
+/** The energy of motion at which links that are far off are brought back. Unit: J. */
+export function energyOfCorrection({ rows }: TreeTable, from: number, to: number, speed: number): number {
+  let sum = 0;
+  for (let k = from + 1; k < to; k++) {
+    const w = rows[k * ROW + INVERSE_MASS];
+    if (w > 0) sum += (rows[k * ROW + LENGTH] * speed * rows[k * ROW + LENGTH] * speed) / w;
   }
   return sum / 2;
 }

@@ -2,6 +2,7 @@ import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import { aimLinks } from './aim-links.ts';
 import { eliminateStiff, substituteStiff } from './solve-stiff-tree.ts';
 import {
+  CORRECTION,
   DONE,
   eliminate,
   FAILED,
@@ -16,7 +17,7 @@ import {
   undo,
 } from './solve-tree.ts';
 import type { StiffTable } from './stiff-table.ts';
-import { kineticEnergy, TreeMotion } from './tree-motion.ts';
+import { energyOfCorrection, kineticEnergy, slowTo, TreeMotion } from './tree-motion.ts';
 
 /** How often a tree is solved anew without the links that push where they can only pull. */
 const ROUNDS = 8;
@@ -36,6 +37,8 @@ export class TreeSolver {
   readonly #motion: TreeMotion = new TreeMotion();
   /** 1 where `eliminate` knows all links of the tree. */
   readonly plain: Uint8Array;
+  /** 1 where a link of the tree gives: it may give back energy that it has taken up. */
+  readonly elastic: Uint8Array;
   readonly #swift: Uint8Array;
   /** What solving has added to the energy of a tree, less what it took out. Unit: J. */
   readonly #gained: Float64Array;
@@ -49,6 +52,7 @@ export class TreeSolver {
     this.#table = table;
     this.#stiff = stiff;
     this.plain = new Uint8Array(trees);
+    this.elastic = new Uint8Array(trees);
     this.#swift = new Uint8Array(trees);
     this.#gained = new Float64Array(trees);
   }
@@ -95,7 +99,7 @@ export class TreeSolver {
    */
   #tryStiff(particles: ParticleArrays, calm: number): boolean {
     const { rows } = this.#table;
-    aimLinks(this.#table, this.#stiff, this.#from, this.#to, particles, this.#h);
+    aimLinks(this.#table, this.#stiff, this.#from, this.#to, particles, this.#h, calm);
     this.#motion.save(this.#table, this.#from, this.#to, particles);
     for (let round = 1; ; round++) {
       const result = this.#eliminateStiff(particles, calm);
@@ -109,11 +113,22 @@ export class TreeSolver {
       const released = round < ROUNDS && (found & PUSHES) !== 0 && this.#letGo();
       if (!released) {
         this.#swift[this.#tree] = found & SWIFT;
-        if (this.#accepts(gain, particles) || calm === 1) return true;
+        if (this.#accepts(gain, particles)) return true;
+        if (calm === 1) {
+          this.#slow(gain, particles);
+          return true;
+        }
       }
       this.#motion.restore(this.#table, this.#from, this.#to, particles);
       if (!released) return false;
     }
+  }
+
+  /** The last resort: a tree gains no more than what brings links back takes. */
+  #slow(gain: number, particles: ParticleArrays): void {
+    const before = kineticEnergy(this.#table, this.#from, this.#to, particles) - gain;
+    const correction = energyOfCorrection(this.#table, this.#from, this.#to, CORRECTION / this.#h);
+    slowTo(Math.max(before, 0) + correction, this.#table, this.#from, this.#to, particles);
   }
 
   #eliminateStiff(particles: ParticleArrays, calm: number): number {
@@ -140,7 +155,7 @@ export class TreeSolver {
   /** Whether a gain of energy is no more than what the method itself wavers by; if so, it is booked. */
   #accepts(gain: number, particles: ParticleArrays): boolean {
     const gained = this.#gained[this.#tree] + gain;
-    if (!(gain <= 0)) {
+    if (!(gain <= 0) && this.elastic[this.#tree] === 0) {
       const energy = kineticEnergy(this.#table, this.#from, this.#to, particles);
       if (!(gain <= MOST_AT_ONCE * energy && gained <= MOST_IN_ALL * energy)) return false;
     }
