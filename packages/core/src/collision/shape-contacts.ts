@@ -8,6 +8,7 @@ import type { Shape } from './shape.ts';
 import { ShapeIndex } from './shape-index.ts';
 import { POINT_RADIUS, radiusAt, ShapeWay } from './shape-way.ts';
 import type { SurfaceReport } from './surface-report.ts';
+import { SEAM } from './sweep.ts';
 
 /** Contacts are reported when the gap is below this share of the radius: a little early, so that rest is quiet. */
 export const EARLY_SHARE = 0.01;
@@ -89,7 +90,8 @@ export class ShapeContacts implements SurfaceReport {
     const radius = this.#radius;
     const way = this.#wayX * normalX + this.#wayY * normalY;
     let isNear = distance < radius * (1 + EARLY_SHARE);
-    if (lookAhead > 0 && !this.#isFast) isNear ||= distance + Math.min(0, way) < radius + margin;
+    if (lookAhead > 0)
+      isNear ||= this.#isFast ? distance < radius + SEAM : distance + Math.min(0, way) < radius + margin;
     if (!isNear) return;
     const shape = this.#shapes[this.#places.shape];
     if (shape.oneSided) {

@@ -4,7 +4,7 @@ import type { SurfaceReport } from './surface-report.ts';
 const ALONG = 1e-9;
 
 /** A disc that meets a flat this far beyond its end, or behind it, still meets it: no gap opens between two. Unit: m. */
-const SEAM = 1e-9;
+export const SEAM = 1e-9;
 
 /** A corner this near to a surface that the disc slides on already is a joint of a floor, as a share of the radius. */
 const JOINT = 1e-4;
