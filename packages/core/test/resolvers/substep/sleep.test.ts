@@ -197,15 +197,30 @@ describe('waking', () => {
     expect(moved).toBe(true);
   });
 
-  it('[S17] when the link that it hangs on is removed', () => {
+  it('[S17] when the link is removed, or goes with its other end', () => {
+    for (const removeEnd of [false, true]) {
+      const world = floorWorld();
+      const bob = world.addParticle({ x: 0, y: 3, radius: 0.1 });
+      const pin = world.addParticle({ x: 0, y: 4, mass: Infinity });
+      const hook = world.addLink(cable(pin, bob));
+      run(world, 300);
+      expect(bob.asleep).toBe(true);
+      if (removeEnd) world.removeParticle(pin);
+      else world.removeLink(hook);
+      run(world, 60);
+      expect(bob.y).toBeLessThan(2);
+    }
+  });
+
+  it('[S17] when a cable that it hangs on is wound in', () => {
     const world = floorWorld();
     const bob = world.addParticle({ x: 0, y: 3, radius: 0.1 });
     const hook = world.addLink(cable({ x: 0, y: 4 }, bob));
     run(world, 300);
     expect(bob.asleep).toBe(true);
-    world.removeLink(hook);
+    hook.setLength(0, 0.5);
     run(world, 60);
-    expect(bob.y).toBeLessThan(2);
+    expect(bob.y).toBeCloseTo(3.5, 2);
   });
 
   it('[S17] when a pointer drags it', () => {
@@ -227,6 +242,26 @@ describe('waking', () => {
     world.addForce(springs);
     run(world, 60);
     expect(column[2].y).toBeGreaterThan(1.5);
+  });
+
+  it('[S18] what stands on, or is touched by, a moving platform of infinite mass is carried and pushed', () => {
+    const world = new World({ gravity: G });
+    world.addContactGenerator(new DiscContacts());
+    const platform = world.addParticle({ x: 0, y: -5, radius: 5, mass: Infinity, friction: 1 });
+    const rider = world.addParticle({ x: 0, y: 0.25, radius: 0.25, friction: 1 });
+    run(world, 300);
+    expect(rider.asleep).toBe(true);
+    platform.vy = 1;
+    run(world, 120);
+    expect(rider.asleep).toBe(false);
+    expect(rider.y).toBeCloseTo(2.25, 1);
+  });
+
+  it('[S18] a platform that comes along wakes what lies in its way', () => {
+    const { world, column } = sleepers();
+    world.addParticle({ x: -2, y: 0.25, vx: 1, radius: 0.25, mass: Infinity });
+    run(world, 150);
+    expect(column[0].x).toBeGreaterThan(0.5);
   });
 });
 
