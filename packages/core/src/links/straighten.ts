@@ -2,6 +2,9 @@ import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import { INVERSE_MASS, NODE, POINT, ROW, type TreeTable } from './solve-tree.ts';
 import type { StiffTable } from './stiff-table.ts';
 
+/** What counts as no deviation, as a share of twice the length. */
+const NONE = 1e-9;
+
 /**
  * Brings the ends of links that do not give within their limits by position alone, one link after the other. Contacts are solved
  * after the links and push ends off their lengths. Brought back by velocity alone, that comes again as speed for the contacts to
@@ -24,10 +27,11 @@ export function straighten(
     if (compliance[k] > 0 || wi + wj === 0) continue;
     const dx = (j < 0 ? nodes[p * NODE + POINT] : x[j]) - (i < 0 ? nodes[k * NODE + POINT] : x[i]);
     const dy = (j < 0 ? nodes[p * NODE + POINT + 1] : y[j]) - (i < 0 ? nodes[k * NODE + POINT + 1] : y[i]);
-    const length = Math.sqrt(dx * dx + dy * dy);
-    const over = length - Math.max(minLength[k], Math.min(maxLength[k], length));
-    if (over === 0 || length === 0) continue;
-    const share = over / (length * (wi + wj));
+    const square = dx * dx + dy * dy;
+    const wanted = Math.max(minLength[k] * minLength[k], Math.min(maxLength[k] * maxLength[k], square));
+    const over = square - wanted;
+    if (Math.abs(over) <= NONE * square) continue;
+    const share = over / ((square + wanted) * (wi + wj)); // 1 - wanted length / length, to first order
     if (wi > 0) {
       x[i] += dx * share * wi;
       y[i] += dy * share * wi;
