@@ -1,4 +1,7 @@
-/** The bits of each scene after five seconds at its own values. A change that is meant to change them changes them here. */
+/**
+ * The bits of each scene after five seconds at its own values, or those that make it light. A change that is meant to change them
+ * changes them here.
+ */
 export const goldenHashes: { readonly [id: string]: string } = {
   'aggregates-squares': '5d29f7d4',
   'aggregates-triangles': '4bc54a87',
@@ -16,10 +19,12 @@ export const goldenHashes: { readonly [id: string]: string } = {
   'force-generators': 'ebdf6886',
   game: 'edc7f639',
   'glancing-masses': '0ba5e970',
+  hourglass: '929adfef',
   interpenetration: '134fe643 3c1a2ee9',
   masses: 'e7fb1c1d',
   'newtons-cradle': '0a07f2ef',
   pendulum: '7181e395',
+  pile: 'ce027bda',
   projectiles: '993935e4',
   'resting-contact': 'd74f4266 a95e67f6',
   restitution: 'a5219d5f',

@@ -30,6 +30,8 @@ const loaders: { readonly [id: string]: () => Promise<Scene> } = {
   game: async () => (await import('./game.ts')).game,
   'newtons-cradle': async () => (await import('./newtons-cradle.ts')).newtonsCradle,
   billiards: async () => (await import('./billiards.ts')).billiards,
+  pile: async () => (await import('./pile.ts')).pile,
+  hourglass: async () => (await import('./hourglass.ts')).hourglass,
 };
 
 /** The id of every scene, in the order of the thesis. */

@@ -1,4 +1,4 @@
-import type { Particle, World } from '@mass/core';
+import type { Particle, PointerSpringOptions, World } from '@mass/core';
 import type { Bounds, Style } from '@mass/core/view';
 import type { Palette } from './palette.ts';
 
@@ -26,6 +26,8 @@ export interface Scene<Name extends string = string> {
   readonly step?: number;
   /** How far a thumbnail that must not move has run. @default 2. Unit: s. */
   readonly poster?: number;
+  /** What is less than on its page in a thumbnail and in the tests of all scenes, where there is a lot. */
+  readonly light?: Partial<Values<Name>>;
   /** How it is drawn: plain data, the same for every renderer. */
   style(palette: Palette): Style;
   /** Makes the world. The same values and seed make the same world, to the bit. */
@@ -69,6 +71,8 @@ export interface Setup {
   tap?(at: Point): void;
   /** Whether the pointer may take hold of a particle that can move. @default always */
   takes?(particle: Particle): boolean;
+  /** How the pointer drags what it takes hold of, where it must be stronger than usual: to tear something. */
+  readonly hand?: PointerSpringOptions;
   /** What a drag does where there is no particle to take hold of. */
   readonly pointer?: Pointer;
   /** Called before each step of the world. Unit: s. */
