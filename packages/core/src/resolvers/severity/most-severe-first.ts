@@ -37,14 +37,15 @@ export function resolveMostSevereFirst(
     nodes[leaves + c] =
       (u[i * 2] - u[j * 2]) * normalX[c] + (u[i * 2 + 1] - u[j * 2 + 1]) * normalY[c] - penetration[c];
   }
-  if (edges.count > 0) numberEdges(contacts, phase, edges, tree);
+  const hasEdges = edges.count > 0;
+  if (hasEdges) numberEdges(contacts, phase, edges, tree);
   tree.build();
 
   for (let iteration = 0; iteration < limit; iteration++) {
     const value = nodes[1];
     if (!(value < -EPSILON)) return iteration;
     const c = leastLeaf(nodes, leaves) - leaves;
-    if (edgeEnd[c] !== NO_EDGE) {
+    if (hasEdges && edgeEnd[c] !== NO_EDGE) {
       resolveEdge(c, contacts, phase, table, edges, tree);
       continue;
     }
@@ -61,7 +62,7 @@ export function resolveMostSevereFirst(
       u[j * 2] -= J * inverseMass[j] * normalX[c];
       u[j * 2 + 1] -= J * inverseMass[j] * normalY[c];
     }
-    if (edges.count > 0) {
+    if (hasEdges) {
       renewEdges(i, contacts, phase, edges, tree);
       renewEdges(j, contacts, phase, edges, tree);
     }
