@@ -190,7 +190,9 @@ export function eliminate(t: TreeTable, from: number, to: number, particles: Par
       }
       const ax = nodes[n] * ex + nodes[n + 1] * ey;
       const ay = nodes[n + 2] * ex + nodes[n + 3] * ey;
-      perD = slack ? 0 : 1 / (own + sx * ax + sy * ay);
+      const d = own + sx * ax + sy * ay;
+      if (!(slack || d > HELD * (w + wp) * ee)) return FAILED; // the links before it hold it already
+      perD = slack ? 0 : 1 / d;
       tension = (gap + sx * nodes[n + CHANGE] + sy * nodes[n + CHANGE + 1]) * perD;
       const kx = (sx * nodes[n] + sy * nodes[n + 2]) * perD;
       const ky = (sx * nodes[n + 1] + sy * nodes[n + 3]) * perD;

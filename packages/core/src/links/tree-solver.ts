@@ -25,6 +25,8 @@ const ROUNDS = 8;
 /** Share of its energy of motion that a tree may gain at once, and that it may gain in all. */
 const MOST_AT_ONCE = 0.05;
 const MOST_IN_ALL = 0.01;
+/** Losses make up for gains up to this share. */
+const MOST_CREDIT = 0.2;
 
 /**
  * Solves trees, each in the quickest way that will do: plain links by `eliminate`; all others, and tensions that swing their ends
@@ -128,7 +130,7 @@ export class TreeSolver {
   #slow(gain: number, particles: ParticleArrays): void {
     const before = kineticEnergy(this.#table, this.#from, this.#to, particles) - gain;
     const correction = energyOfCorrection(this.#table, this.#from, this.#to, CORRECTION / this.#h);
-    slowTo(Math.max(before, 0) + correction, this.#table, this.#from, this.#to, particles);
+    slowTo(Math.max(before, correction), this.#table, this.#from, this.#to, particles);
   }
 
   #eliminateStiff(particles: ParticleArrays, calm: number): number {
@@ -154,9 +156,10 @@ export class TreeSolver {
 
   /** Whether a gain of energy is no more than what the method itself wavers by; if so, it is booked. */
   #accepts(gain: number, particles: ParticleArrays): boolean {
-    const gained = this.#gained[this.#tree] + gain;
+    let gained = this.#gained[this.#tree] + gain;
     if (!(gain <= 0) && this.elastic[this.#tree] === 0) {
       const energy = kineticEnergy(this.#table, this.#from, this.#to, particles);
+      gained = Math.max(gained, gain - MOST_CREDIT * energy);
       if (!(gain <= MOST_AT_ONCE * energy && gained <= MOST_IN_ALL * energy)) return false;
     }
     this.#gained[this.#tree] = gained;
