@@ -1,5 +1,5 @@
 import { DistanceLink, distanceNow } from '../links/distance-link.ts';
-import { requireInteger, requireOptions, requirePositive } from '../math/checks.ts';
+import { requireInteger, requireOneOf, requireOptions, requirePositive } from '../math/checks.ts';
 import { checkedEnd, type End } from '../particles/end.ts';
 import { Particle } from '../particles/particle.ts';
 import { aggregate } from './aggregate.ts';
@@ -47,11 +47,11 @@ const MOST_LINKS = 10_000;
 export function chain(options: ChainOptions): BodyPlan {
   requireOptions('chain', 'options', options, '{ from: { x: 0, y: 3 }, to: { x: 2, y: 3 }, links: 10 }');
   const { from, to, free, links, linkLength, length, kind = 'cable', weights, ...shared } = options;
-  const { particle, breaking, mass } = checkedShares('chain', shared);
+  const { particle, giving, mass } = checkedShares('chain', shared);
   const freeFrom = free === 'from' || free === 'both';
   const freeTo = free === 'to' || free === 'both';
-  requireOneOf('free', free, ['from', 'to', 'both', undefined]);
-  requireOneOf('kind', kind, ['cable', 'rod']);
+  requireOneOf('chain', 'free', free, ['from', 'to', 'both', undefined]);
+  requireOneOf('chain', 'kind', kind, ['cable', 'rod']);
   const start = checkedChainEnd('from', from, freeFrom);
   const end = checkedChainEnd('to', to, freeTo);
   const total = checkedLength(start, end, length);
@@ -64,7 +64,7 @@ export function chain(options: ChainOptions): BodyPlan {
   const last = freeTo ? count : count - 1;
   const masses = checkedMasses(last - first + 1, mass, weights);
   const each = total / count;
-  const limits = { kind, minLength: kind === 'rod' ? each : 0, maxLength: each, ...breaking };
+  const limits = { kind, minLength: kind === 'rod' ? each : 0, maxLength: each, ...giving };
   const endAt = (place: number) => (place < first ? start : place > last ? end : place - first);
   return aggregate({
     kind: 'chain',
@@ -76,12 +76,6 @@ export function chain(options: ChainOptions): BodyPlan {
       join: (a, b) => new DistanceLink('chain', a, b, limits),
     })),
   });
-}
-
-function requireOneOf(name: string, value: unknown, allowed: readonly unknown[]): void {
-  if (allowed.includes(value)) return;
-  const words = allowed.filter((word) => word !== undefined).map((word) => `'${word}'`);
-  throw new RangeError(`chain: ${name} must be ${words.join(' or ')}; got ${JSON.stringify(value)}.`);
 }
 
 function checkedChainEnd(name: string, end: End, free: boolean): End {

@@ -19,7 +19,7 @@ export function stiffBody(
   kind: string = where,
 ): BodyPlan {
   const { x, y, angle = 0, angularVelocity = 0, ...shared } = options;
-  const { particle, breaking, mass } = checkedShares(where, shared);
+  const { particle, giving, mass } = checkedShares(where, shared);
   checkPlacing(where, options);
   const { vx = 0, vy = 0 } = particle;
   const sine = sin(angle);
@@ -39,7 +39,7 @@ export function stiffBody(
   const links = braces(where, corners).map(([a, b]) => ({
     a,
     b,
-    join: (p: End, q: End) => rod(p, q, breaking),
+    join: (p: End, q: End) => rod(p, q, giving),
   }));
   return aggregate({ kind, particles, links, angle });
 }

@@ -97,6 +97,13 @@ export function requireFlag(where: string, name: string, value: boolean): void {
   if (typeof value !== 'boolean') fail(where, `${name} must be true or false`, value, '');
 }
 
+/** One of a few words; `undefined` among them is for what may be left out. */
+export function requireOneOf(where: string, name: string, value: unknown, allowed: readonly unknown[]): void {
+  if (allowed.includes(value)) return;
+  const words = allowed.filter((word) => word !== undefined).map((word) => `'${word}'`);
+  throw wrong(where, `${name} must be ${words.join(' or ')}`, value, '', RangeError);
+}
+
 /** Two finite coordinates or components, `{ x, y }`. */
 export function requireVector(where: string, name: string, value: { x: number; y: number }, unit: string): void {
   if (typeof value !== 'object' || value === null) {

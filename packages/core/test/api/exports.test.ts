@@ -34,6 +34,7 @@ it('[A1] the package exports exactly these names', () => {
       "cable",
       "castRay",
       "chain",
+      "cloth",
       "explicitEuler",
       "firstHit",
       "forEachParticle",

@@ -1,10 +1,11 @@
-import { aggregate, type BodyPlan, box, chain, polygon, regularPolygon, rod, triangle, World } from '@mass/core';
+import { aggregate, type BodyPlan, box, chain, cloth, polygon, regularPolygon, rod, triangle, World } from '@mass/core';
 import { describe, expect, it } from 'vitest';
 import { failsUnchanged, thrownBy } from '../helpers.ts';
 
 const place = { x: 0, y: 0 };
 const crate = { ...place, width: 1, height: 1 };
 const rope = { from: { x: 0, y: 0 }, to: { x: 1, y: 0 }, links: 4 };
+const net = { ...place, width: 1, height: 1, columns: 3, rows: 3 };
 const wrong = (value: unknown): never => value as never;
 
 const builders: [string, () => unknown, RegExp, ErrorConstructor][] = [
@@ -97,6 +98,24 @@ const builders: [string, () => unknown, RegExp, ErrorConstructor][] = [
   ['weight 0', () => chain({ ...rope, weights: [1, 0, 1] }), /^chain: weights\[1\] must be a positive/, RangeError],
   ['kind', () => chain({ ...rope, kind: wrong('spring') }), /kind must be 'cable' or 'rod'; got "spring"/, RangeError],
   ['free', () => chain({ ...rope, free: wrong('all') }), /^chain: free must be 'from' or 'to' or 'both'/, RangeError],
+  ['compliance', () => box({ ...crate, compliance: -1 }), /^box: compliance must be a finite number of m/, RangeError],
+  ['link damping', () => chain({ ...rope, linkDamping: 2 }), /^chain: linkDamping must be a number from 0/, RangeError],
+  ['columns', () => cloth({ ...net, columns: 1 }), /^cloth: columns must be a whole number from 2 to/, RangeError],
+  [
+    'rows',
+    () => cloth({ ...net, rows: 2.5 }),
+    /^cloth: rows must be a whole number from 2 to 1000; got 2.5/,
+    RangeError,
+  ],
+  ['its place', () => cloth({ ...net, y: NaN }), /^cloth: y must be a finite number of metres/, RangeError],
+  ['its width', () => cloth({ ...net, width: 0 }), /^cloth: width must be a positive, finite number/, RangeError],
+  ['its kind', () => cloth({ ...net, kind: wrong('silk') }), /^cloth: kind must be 'cable' or 'rod'; got/, RangeError],
+  [
+    'its pins',
+    () => cloth({ ...net, pinned: wrong('left') }),
+    /^cloth: pinned must be 'top', .* got "left"/,
+    TypeError,
+  ],
 ];
 
 describe('builders', () => {
