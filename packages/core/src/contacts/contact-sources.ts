@@ -6,6 +6,7 @@ import { checkedEnd, isEndAlive, particleOf } from '../particles/end.ts';
 import type { ParticleStore } from '../particles/particle-store.ts';
 import { type ContactBuffer, pairKey } from './contact-buffer.ts';
 import type { ContactGenerator } from './contact-generator.ts';
+import { dropRepeated } from './drop-repeated.ts';
 
 /** Where a contact comes from. */
 export type ContactSource = Link | Shape | ContactGenerator;
@@ -78,27 +79,33 @@ export class ContactSources {
   /**
    * Finds the contacts of this moment, and those that the buffer looks ahead to. Reads the particles. Writes the contacts.
    * @param without - Leaves out the links that have a solver of their own.
+   * @param further - Keeps the contacts that there are, and adds those that are not among them.
    */
-  gather(contacts: ContactBuffer, dt: number, without = false): void {
+  gather(contacts: ContactBuffer, dt: number, without = false, further = false): void {
     const store = this.#store;
     const { links } = this;
     const shapes = this.shapes.list;
     const generators = this.generators.list;
-    contacts.clear(store.count, this.linkedPairs());
+    const known = further ? contacts.count : 0;
+    if (!further) contacts.clear(store.count, this.linkedPairs());
     contacts.linkVersion = this.linkVersion;
     let source = 0;
     for (let l = 0; l < links.length; l++) {
       contacts.currentSource = source++;
       if (!without || links[l].solver === undefined) links[l].addContacts(store, contacts, dt);
     }
-    contacts.sceneryStart = contacts.count;
+    const sceneryStart = contacts.count;
     this.#shapeContacts.find(shapes, source, store, contacts, dt);
-    contacts.sceneryEnd = contacts.count;
+    if (!further) {
+      contacts.sceneryStart = sceneryStart;
+      contacts.sceneryEnd = contacts.count;
+    }
     source += shapes.length;
     for (let g = 0; g < generators.length; g++) {
       contacts.currentSource = source++;
       generators[g].addContacts(store, contacts, dt);
     }
+    if (further) dropRepeated(contacts, known);
   }
 
   /** Finds what touches sensors among the static shapes, or touches these as a sensor, now. Reads the particles. Writes sensors. */

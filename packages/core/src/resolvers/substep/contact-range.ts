@@ -2,36 +2,53 @@ import type { ContactBuffer } from '../../contacts/contact-buffer.ts';
 import { growColumns } from '../../math/columns.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 
-/** What a particle may go beyond the range in which its contacts were looked for, as a share of its radius. */
+/** What a particle may go beside the way along which its contacts were looked for, as a share of its radius. */
 const SLACK = 0.5;
 
 /**
- * How far each particle could go when contacts were looked for, by its velocity then. One that is hit, or thrown by a link, within the
- * step may go farther: contacts must be looked for again, or it passes through what was not seen.
+ * Where contacts were looked for: from each particle's place along its velocity at that time. One that is hit, turned or thrown by a
+ * link within the step may leave that way: more contacts must be looked for, or it passes through what was not seen.
  */
 export class ContactRange {
-  readonly #at = { x: new Float64Array(64), y: new Float64Array(64), range: new Float64Array(64) };
+  readonly #seen = {
+    x: new Float64Array(64),
+    y: new Float64Array(64),
+    wayX: new Float64Array(64),
+    wayY: new Float64Array(64),
+  };
+  #margin = 0;
 
-  /** Reads x, y, vx, vy, radius. */
-  note({ count, x, y, vx, vy, radius }: ParticleArrays, { lookAhead, margin }: ContactBuffer): void {
-    if (this.#at.x.length < count) growColumns(this.#at, count * 2);
-    const { x: atX, y: atY, range } = this.#at;
+  /** Reads x, y, vx, vy. */
+  note({ count, x, y, vx, vy }: ParticleArrays, { lookAhead, margin }: ContactBuffer): void {
+    if (this.#seen.x.length < count) growColumns(this.#seen, count * 2);
+    const seen = this.#seen;
+    this.#margin = margin;
     for (let i = 0; i < count; i++) {
-      atX[i] = x[i];
-      atY[i] = y[i];
-      range[i] = (Math.abs(vx[i]) + Math.abs(vy[i])) * lookAhead + margin + SLACK * radius[i];
+      seen.x[i] = x[i];
+      seen.y[i] = y[i];
+      seen.wayX[i] = vx[i] * lookAhead;
+      seen.wayY[i] = vy[i] * lookAhead;
     }
   }
 
   /**
-   * Whether some particle may leave its range. Reads x, y, vx, vy.
-   * @param rest - What is left of the step. Unit: s.
+   * Whether some particle may leave its way in what is left of the step. Reads x, y, vx, vy, radius.
+   * @param rest - What is left. Unit: s.
    */
-  isLeft({ count, x, y, vx, vy }: ParticleArrays, rest: number): boolean {
-    const { x: atX, y: atY, range } = this.#at;
+  isLeft({ count, x, y, vx, vy, radius }: ParticleArrays, rest: number): boolean {
+    const { x: atX, y: atY, wayX, wayY } = this.#seen;
     for (let i = 0; i < count; i++) {
-      const way = Math.abs(x[i] - atX[i]) + Math.abs(y[i] - atY[i]) + (Math.abs(vx[i]) + Math.abs(vy[i])) * rest;
-      if (way > range[i]) return true;
+      const slack = SLACK * radius[i] + this.#margin;
+      const px = x[i] - atX[i] + vx[i] * rest;
+      const py = y[i] - atY[i] + vy[i] * rest;
+      if (Math.abs(px) + Math.abs(py) <= slack) continue;
+      const wx = wayX[i];
+      const wy = wayY[i];
+      const ww = wx * wx + wy * wy;
+      const share = ww === 0 ? 0 : Math.max(0, Math.min(1, (px * wx + py * wy) / ww));
+      const ox = px - wx * share;
+      const oy = py - wy * share;
+      if (ox * ox + oy * oy > slack * slack) return true;
     }
     return false;
   }

@@ -28,11 +28,21 @@ export class ContactRows {
     this.count = count;
   }
 
-  /** Reads the contacts, x, y, inverseMass, and the impulses. Writes all the rest. */
-  build(contacts: ContactBuffer, { count: slots, x, y, inverseMass }: ParticleArrays): void {
+  /** Rows that are new begin with nothing. */
+  forget(from: number): void {
+    this.normal.fill(0, from, this.count);
+    this.tangent.fill(0, from, this.count);
+    this.closing.fill(0, from, this.count);
+  }
+
+  /**
+   * Reads the contacts, x, y, inverseMass, and the impulses. Writes all the rest.
+   * @param from - First row to write.
+   */
+  build(contacts: ContactBuffer, { count: slots, x, y, inverseMass }: ParticleArrays, from: number): void {
     const { count, a, b, normalX, normalY, penetration, edgeEnd } = contacts;
     const { second, offset, mass, lasting, normal } = this;
-    for (let c = 0; c < count; c++) {
+    for (let c = from; c < count; c++) {
       const i = a[c];
       const j = b[c] === SCENERY ? slots : b[c];
       const nx = normalX[c];

@@ -33,11 +33,14 @@ export class EdgeRows {
   /** Index of the contact. */
   contact: Int32Array = new Int32Array(16);
 
-  /** Reads the contacts, their impulses of a small step, and x, y, inverseMass. Writes the rows. */
-  build(contacts: ContactBuffer, before: Impulses, { x, y, inverseMass }: ParticleArrays): void {
+  /**
+   * Reads the contacts, their impulses of a small step, and x, y, inverseMass. Writes the rows.
+   * @param from - First contact to look at; the rows of those before it are kept.
+   */
+  build(contacts: ContactBuffer, before: Impulses, { x, y, inverseMass }: ParticleArrays, from: number): void {
     const { count, a, b, normalX, normalY, edgeEnd, edgeShare } = contacts;
-    let r = 0;
-    for (let c = 0; c < count; c++) {
+    let r = from === 0 ? 0 : this.count;
+    for (let c = from; c < count; c++) {
       const k = edgeEnd[c];
       if (k === NO_EDGE) continue;
       if (r === this.a.length) growColumns(this, r * 2);

@@ -17,18 +17,14 @@ export class ImpulseMemory {
     source: new Int32Array(64),
     normal: new Float64Array(64),
     tangent: new Float64Array(64),
-    closing: new Float64Array(64),
-    impulse: new Float64Array(64),
-    tangentImpulse: new Float64Array(64),
   };
 
   /**
    * Hands each contact what it had in the last small step. Reads a, b, edgeEnd, source. Writes normal, tangent of the rows.
    * @param linkCount - How many sources are links: the others are known by their number after these.
-   * @param within - Whether it is the same step still: then the sums and the closing speeds go on, too.
    */
-  recall(contacts: ContactBuffer, rows: ContactRows, linkCount: number, h: number, within: boolean): void {
-    const { count, a, b, edgeEnd, source, impulse, tangentImpulse } = contacts;
+  recall(contacts: ContactBuffer, rows: ContactRows, linkCount: number, h: number): void {
+    const { count, a, b, edgeEnd, source } = contacts;
     const { normal, tangent, closing } = rows;
     const kept = this.#kept;
     const scale = h / this.#h; // the same forces, over another time
@@ -44,17 +40,14 @@ export class ImpulseMemory {
       const known = order === 0 && m < this.#count;
       normal[c] = known ? kept.normal[m] * scale : 0;
       tangent[c] = known ? kept.tangent[m] * scale : 0;
-      const goesOn = known && within;
-      closing[c] = goesOn ? kept.closing[m] : 0;
-      impulse[c] = goesOn ? kept.impulse[m] : 0;
-      tangentImpulse[c] = goesOn ? kept.tangentImpulse[m] : 0;
+      closing[c] = 0;
       if (known) m++;
     }
   }
 
   /** Reads the contacts and their rows. Writes the memory. */
   keep(contacts: ContactBuffer, rows: ContactRows, linkCount: number, h: number): void {
-    const { count, a, b, edgeEnd, source, impulse, tangentImpulse } = contacts;
+    const { count, a, b, edgeEnd, source } = contacts;
     const kept = this.#kept;
     if (kept.a.length < count) growColumns(kept, count * 2);
     this.#count = count;
@@ -67,9 +60,6 @@ export class ImpulseMemory {
       kept.source[c] = source[c];
       kept.normal[c] = rows.normal[c];
       kept.tangent[c] = rows.tangent[c];
-      kept.closing[c] = rows.closing[c];
-      kept.impulse[c] = impulse[c];
-      kept.tangentImpulse[c] = tangentImpulse[c];
     }
   }
 }

@@ -105,7 +105,7 @@ class SmallSteps {
     for (let k = 0; k < this.#subSteps; k++) {
       if (k > 0) {
         this.#held.restore(particles);
-        this.#contacts.findAgain(simulation, dt - k * h);
+        this.#contacts.findMore(simulation, dt - k * h);
       }
       forces.apply(h, time + k * h);
       accelerateAll(particles, gravity, h);
