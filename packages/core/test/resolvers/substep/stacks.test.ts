@@ -59,12 +59,26 @@ describe('a stack of discs', () => {
     },
   );
 
-  it('[S8] a pyramid of 20 rows without walls keeps its top within 30 mm where friction holds it', () => {
-    const { world, top } = pyramid(20, 0.6, false);
-    const start = top.y;
-    run(world, 600);
-    expect(start - top.y).toBeLessThan(0.03);
-  });
+  // Discs do not turn, so the load of an edge may lean from the line of the centres, 30 degrees off the upright, by the angle of friction; the
+  // floor holds what is left: µ = (n - 1) / (n + 1)·tan(30° - atan µ), 0.242 for 10 rows and 0.255 for 20, tan 15° for many.
+  it.each([
+    [10, 0.23, 0.26],
+    [20, 0.24, 0.28],
+  ])(
+    '[S8] a pyramid of %s rows without walls falls at friction %s and keeps its top within 30 mm at %s',
+    (rows, low, high) => {
+      const falls = pyramid(rows, low, false);
+      const stands = pyramid(rows, high, false);
+      const start = stands.top.y;
+      run(falls.world, 600);
+      run(stands.world, 120);
+      const early = stands.top.y;
+      run(stands.world, 480);
+      expect(start - falls.top.y).toBeGreaterThan(2 * R);
+      expect(start - stands.top.y).toBeLessThan(0.03);
+      expect(Math.abs(early - stands.top.y)).toBeLessThan(1e-4);
+    },
+  );
 });
 
 describe('a pile', () => {
