@@ -1,4 +1,4 @@
-import { type Particle, PointerSpring, type World } from '@mass/core';
+import { type Particle, PointerSpring, type PointerSpringOptions, type World } from '@mass/core';
 import { pickParticle } from '@mass/core/view';
 import type { Guide, Point } from '../scenes/scene.ts';
 import type { Pane } from './pane.ts';
@@ -77,7 +77,7 @@ export class Hand {
     }
     const particle = this.#pick(pane, event, at);
     const from = screenPoint(pane, event);
-    if (particle) return { kind: 'grab', from, hold: take(pane, particle, at) };
+    if (particle) return { kind: 'grab', from, hold: take(pane, particle, at, this.#stage.setup.hand) };
     let taken = false;
     this.#stage.attempt(() => {
       taken = this.#stage.setup.pointer?.down(at) ?? false;
@@ -189,9 +189,9 @@ export class Hand {
   }
 }
 
-function take(pane: Pane, particle: Particle, at: Point): Hold {
+function take(pane: Pane, particle: Particle, at: Point, options?: PointerSpringOptions): Hold {
   const { world } = pane;
-  const spring = world.addForce(new PointerSpring());
+  const spring = world.addForce(new PointerSpring(options));
   spring.grab(particle);
   return { pane, world, spring, offset: { x: particle.x - at.x, y: particle.y - at.y } };
 }
