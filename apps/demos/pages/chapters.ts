@@ -32,7 +32,7 @@ const beginnings = [
   { begins: 'cables-hanging', title: 'Cables and rods', about: 'Links that keep a length, in machines and bridges' },
   { begins: 'aggregates-squares', title: 'Bodies', about: 'Particles and rods that tumble as one, and a game of them' },
   { begins: 'newtons-cradle', title: 'Hit by hit', about: 'Where the order of impacts is all' },
-  { begins: 'pile', title: 'Ropes and piles', about: 'Thousands of contacts with friction, that come to rest' },
+  { begins: 'rope-bridge', title: 'Ropes and piles', about: 'What bears, tears, and comes to rest by the thousand' },
 ] as const;
 
 /** Divides the scenes into chapters; an error says which scene is missing or out of order. */

@@ -13,6 +13,7 @@ export const goldenHashes: { readonly [id: string]: string } = {
   'buoyancy-waves': '6db79583',
   'cables-hanging': '61dd7e25',
   'cables-linked': '739ed3a8',
+  cloth: '99cba589',
   'contact-normal': '3b7c80cb a233f08e',
   'contact-order': '0f5173ec 2e9f94c1',
   fireworks: 'c55b8772',
@@ -30,7 +31,9 @@ export const goldenHashes: { readonly [id: string]: string } = {
   restitution: 'a5219d5f',
   rods: 'cc1be01c',
   'rods-and-cables': '09e3eb6a',
+  'rope-bridge': 'c0d1d059',
   'springs-amplitude': '0af3dd99',
   'springs-period': '5095b1ee',
   'sunk-box': '8a971a63 97e7e28d',
+  'wrecking-ball': 'd6c0c056',
 };

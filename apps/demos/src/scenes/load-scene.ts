@@ -30,6 +30,9 @@ const loaders: { readonly [id: string]: () => Promise<Scene> } = {
   game: async () => (await import('./game.ts')).game,
   'newtons-cradle': async () => (await import('./newtons-cradle.ts')).newtonsCradle,
   billiards: async () => (await import('./billiards.ts')).billiards,
+  'rope-bridge': async () => (await import('./rope-bridge.ts')).ropeBridge,
+  'wrecking-ball': async () => (await import('./wrecking-ball.ts')).wreckingBall,
+  cloth: async () => (await import('./cloth.ts')).cloth,
   pile: async () => (await import('./pile.ts')).pile,
   hourglass: async () => (await import('./hourglass.ts')).hourglass,
 };
