@@ -44,6 +44,28 @@ describe('static geometry', () => {
   );
 });
 
+describe('each other', () => {
+  it.each([0.01, 0.1, 0.5])('[S12] discs of %s m do not pass through each other, at up to 500 m/s each', (radius) => {
+    for (const speed of [20, 100, 500]) {
+      for (const aside of [-0.9, -0.4, 0, 0.7]) {
+        for (let offset = 0; offset < OFFSETS; offset++) {
+          const world = new World();
+          world.addContactGenerator(new DiscContacts());
+          const a = throwAt(world, speed, 0, offset, { radius });
+          const b = world.addParticle({ x: 3, y: aside * 2 * radius, vx: offset % 2 ? -speed : 0, radius });
+          const start = b.vy - a.vy;
+          run(world, Math.ceil(8 / speed / DT) + 2);
+          // They met: the closing speed along the line of the centres is gone.
+          const cos = Math.sqrt(1 - aside * aside);
+          const closing = (a.vx - b.vx) * cos + (a.vy - b.vy) * aside;
+          expect(start).toBe(0);
+          expect(closing).toBeLessThan(1e-6 * speed);
+        }
+      }
+    }
+  });
+});
+
 describe('what is hit on its way', () => {
   it.each([0.05, 0.3])('[S12] does not pass through a wall, however fast it is thrown, from %s m away', (gap) => {
     for (const mass of [0.01, 1, 100]) {

@@ -107,6 +107,41 @@ describe('two bodies', () => {
     }
   });
 
+  it('[S2] at an angle: along the line of the centres where they touch; across it nothing changes without friction', () => {
+    for (const speed of [60, 200, 500]) {
+      for (let k = 0; k < 39; k++) {
+        const offset = -0.95 + k * 0.05; // of the way past the centre, in radii of both
+        const world = new World();
+        world.addContactGenerator(new DiscContacts());
+        const a = world.addParticle({ x: -3 - k * 0.01, y: offset, vx: speed, mass: 2, radius: 0.5, restitution: 0.8 });
+        const b = world.addParticle({ x: 0, y: 0, mass: 3, radius: 0.5, restitution: 0.2 });
+        run(world, Math.ceil(4 / (speed * DT)) + 1);
+        const nx = -Math.sqrt(1 - offset * offset);
+        const ny = offset;
+        const J = (1.8 * speed * nx * 6) / 5; // (1 + e) · closing speed · reduced mass
+        expect(a.vx).toBeCloseTo(speed - (J * nx) / 2, 6);
+        expect(a.vy).toBeCloseTo(-(J * ny) / 2, 6);
+        expect(b.vx).toBeCloseTo((J * nx) / 3, 6);
+        expect(b.vy).toBeCloseTo((J * ny) / 3, 6);
+      }
+    }
+  });
+
+  it('[S2] a slow hit at an angle is off by no more than 5 % of the speed, whatever the angle', () => {
+    for (const speed of [1, 5, 14]) {
+      for (let k = 0; k < 39; k++) {
+        const offset = -0.95 + k * 0.05;
+        const world = new World({ resolver: substep({ sleepTime: Infinity }) });
+        world.addContactGenerator(new DiscContacts());
+        const a = world.addParticle({ x: -2 - k * 0.01, y: offset, vx: speed, radius: 0.5, restitution: 1 });
+        world.addParticle({ x: 0, y: 0, radius: 0.5 });
+        run(world, Math.ceil(3 / (speed * DT)) + 1);
+        const nx = -Math.sqrt(1 - offset * offset);
+        expect(Math.hypot(a.vx - speed * offset * offset, a.vy - speed * nx * -offset) / speed).toBeLessThan(0.05);
+      }
+    }
+  });
+
   it('[S2] a dead hit with friction takes friction times the normal speed off the tangent, and no more than there is', () => {
     for (const [vx, after] of [
       [8, 8 - 0.3 * 5],
