@@ -8,7 +8,7 @@ import { giveBackEdges, solveEdges } from './edge-contacts.ts';
 import { EdgeRows } from './edge-rows.ts';
 import { ImpulseMemory } from './impulse-memory.ts';
 import { RIGID, type Softness, softness } from './softness.ts';
-import { giveBack, solveContacts, takeBackPush } from './solve-contacts.ts';
+import { giveBack, keepOut, solveContacts, takeBackPush } from './solve-contacts.ts';
 
 /** Stiffness of contacts of two particles, and with scenery. Unit: Hz. */
 const HERTZ = 60;
@@ -98,6 +98,11 @@ export class ContactSolver {
     this.#motion.note(particles);
     this.#pass(contacts, particles, this.#soft, this.#edgeSoft);
     this.#motion.learn(particles);
+  }
+
+  /** Undoes by position what moved particles into scenery since. Writes x, y. */
+  keepOut({ contacts, particles }: Simulation): void {
+    keepOut(contacts, this.#rows, contacts.sceneryStart, contacts.sceneryEnd, particles);
   }
 
   /** Takes out the speed by which penetrations were undone, then gives back what hits give back. Reads x, y. Writes vx, vy. */

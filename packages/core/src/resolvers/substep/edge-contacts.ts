@@ -97,7 +97,8 @@ export function giveBackEdges(
     const ux = vx[i] - vx[j] - t * (vx[k] - vx[j]);
     const uy = vy[i] - vy[j] - t * (vy[k] - vy[j]);
     const speed = ux * normalX[r] + uy * normalY[r];
-    const J = Math.max(-impulse[contact[r]], -mass[r] * (speed + restitution[r] * closing[r]));
+    const J = Math.min(restitution[r] * impulse[contact[r]], -mass[r] * (speed + restitution[r] * closing[r]));
+    if (J <= 0) continue;
     const px = J * normalX[r];
     const py = J * normalY[r];
     const wj = inverseMass[j] * (1 - t);

@@ -6,6 +6,9 @@ import type { Softness } from './softness.ts';
 /** Two things that are in each other part no faster than this. Unit: m/s. */
 export const FASTEST_PUSH = 10;
 
+/** How much deeper is much, as a share of the radius. */
+const DEEPER = 0.1;
+
 /**
  * A contact that held an impulse already and is almost calm is corrected by this much more than it asks for: piles come to rest in a
  * fraction of the time (successive over-relaxation, D. M. Young, 1950). More makes tall columns swing, and so it does in hits.
@@ -123,11 +126,35 @@ export function giveBack(
     const nx = normalX[r];
     const ny = normalY[r];
     const speed = (vx[i] - vx[j]) * nx + (vy[i] - vy[j]) * ny;
-    const J = Math.max(-impulse[r], -mass[r] * (speed + restitution[r] * closing[r]));
+    // No more than its share of the impulse that stopped the hit (Poisson): where several hit at once, more would add energy.
+    const J = Math.min(restitution[r] * impulse[r], -mass[r] * (speed + restitution[r] * closing[r]));
+    if (J <= 0) continue;
     impulse[r] += J;
     vx[i] += J * inverseMass[i] * nx;
     vy[i] += J * inverseMass[i] * ny;
     vx[j] -= J * inverseMass[j] * nx;
     vy[j] -= J * inverseMass[j] * ny;
+  }
+}
+
+/**
+ * Takes out of scenery, by position alone, what is much deeper in it than it was when the step began. Reads the rows, radius. Writes x, y.
+ * @param start - First row.
+ * @param end - After the last row.
+ */
+export function keepOut(
+  { a, normalX, normalY, penetration, margin }: ContactBuffer,
+  { offset, mass }: ContactRows,
+  start: number,
+  end: number,
+  { x, y, radius }: ParticleArrays,
+): void {
+  for (let r = start; r < end; r++) {
+    const i = a[r];
+    const depth = Math.max(penetration[r], 0) + DEEPER * radius[i] + margin / 8;
+    const deeper = -depth - (offset[r] + x[i] * normalX[r] + y[i] * normalY[r]);
+    if (deeper <= 0 || mass[r] === 0) continue;
+    x[i] += deeper * normalX[r];
+    y[i] += deeper * normalY[r];
   }
 }

@@ -113,7 +113,10 @@ class SmallSteps {
       this.#links.solve(particles, h);
       this.#contacts.solve(simulation);
       if (!move(particles, h)) return false;
-      if (contacts.count > 0) this.#links.straighten(particles);
+      if (contacts.count > 0) {
+        this.#links.straighten(particles);
+        this.#contacts.keepOut(simulation);
+      }
     }
     this.#contacts.relax(simulation);
     this.#contacts.keep(simulation);
