@@ -120,7 +120,7 @@ export const cloth: Scene<'size' | 'hung' | 'wind' | 'strength'> = {
   },
 
   check(run) {
-    const calm = run({ wind: 0 });
+    const calm = run({ wind: 0, size: 28 });
     const { world } = calm.setup;
     const threads = world.links.length;
     calm.run(5);
@@ -141,7 +141,7 @@ export const cloth: Scene<'size' | 'hung' | 'wind' | 'strength'> = {
     calm.run(2, () => {
       strain = Math.max(strain, strainOf(world));
     });
-    const windy = run();
+    const windy = run({ size: 28 });
     let fastest = 0;
     windy.run(3, () => {
       fastest = Math.max(fastest, ...particlesOf(windy.setup.world).map(({ vx }) => Math.abs(vx)));
