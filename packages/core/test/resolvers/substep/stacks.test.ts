@@ -107,4 +107,20 @@ describe('a pile', () => {
     const { x, y } = world.particles;
     for (let i = 0; i < 500; i++) expect(x[i] > 0 && x[i] < width && y[i] > 0).toBe(true);
   });
+
+  it.each([10, 100, 1000, 10_000])(
+    '[S10] a disc of %s times the mass on light ones gains no height and comes to rest',
+    (mass) => {
+      const world = awake(0.5);
+      const light = [-0.5, 0, 0.5].map((x) => world.addParticle({ x, y: R, radius: R, friction: 0.5 }));
+      const heavy = world.addParticle({ x: 0, y: 2 * R + 1, radius: 1, mass, friction: 0.5 });
+      let highest = 0;
+      for (let step = 0; step < 900; step++) {
+        world.step(1 / 60);
+        highest = Math.max(highest, heavy.y);
+      }
+      expect(highest).toBeLessThan(1.501);
+      for (const disc of [heavy, ...light]) expect(Math.hypot(disc.vx, disc.vy)).toBeLessThan(0.03);
+    },
+  );
 });

@@ -1,4 +1,4 @@
-import { Box, DiscContacts, HalfPlane, type Particle, Polyline, Segment, type Shape, World } from '@mass/core';
+import { Box, DiscContacts, HalfPlane, type Particle, Polygon, Polyline, Segment, type Shape, World } from '@mass/core';
 import { describe, expect, it } from 'vitest';
 import { run } from '../../helpers.ts';
 
@@ -11,6 +11,18 @@ const walls: [string, () => Shape][] = [
   ['a segment', () => new Segment({ a: { x: 0, y: -40 }, b: { x: 0, y: 40 } })],
   ['a thick segment', () => new Segment({ a: { x: 0.05, y: -40 }, b: { x: 0.05, y: 40 }, thickness: 0.1 })],
   ['a polyline', () => new Polyline({ points: Array.from({ length: 41 }, (_, k) => ({ x: 0, y: 2 * k - 40 })) })],
+  [
+    'a polygon',
+    () =>
+      new Polygon({
+        points: [
+          { x: 0, y: -40 },
+          { x: 0.02, y: -40 },
+          { x: 0.02, y: 40 },
+          { x: 0, y: 40 },
+        ],
+      }),
+  ],
   ['a box', () => new Box({ centre: { x: 0.01, y: 0 }, width: 0.02, height: 80 })],
 ];
 
