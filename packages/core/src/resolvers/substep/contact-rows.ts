@@ -14,7 +14,7 @@ export class ContactRows {
   offset: Float64Array = new Float64Array(64);
   /** One over the sum of the inverse masses; 0 where neither can move, and for contacts with edges, which have rows of their own. Unit: kg. */
   mass: Float64Array = new Float64Array(64);
-  /** 1 where the contact held something in the step before. */
+  /** 1 where the two touched in the step before. */
   lasting: Uint8Array = new Uint8Array(64);
   /** Separating velocity, negative, with which the two hit each other in the step; 0 where they did not. Unit: m/s. */
   closing: Float64Array = new Float64Array(64);
@@ -33,6 +33,7 @@ export class ContactRows {
     this.normal.fill(0, from, this.count);
     this.tangent.fill(0, from, this.count);
     this.closing.fill(0, from, this.count);
+    this.lasting.fill(0, from, this.count);
   }
 
   /**
@@ -51,7 +52,7 @@ export class ContactRows {
       second[c] = j;
       offset[c] = -penetration[c] - (x[i] - x[j]) * nx - (y[i] - y[j]) * ny;
       mass[c] = w === 0 ? 0 : 1 / w;
-      lasting[c] = normal[c] > 0 ? 1 : 0;
+      if (normal[c] === 0 && penetration[c] < 0) lasting[c] = 0;
     }
   }
 }

@@ -23,7 +23,7 @@ export class EdgeRows {
   mass: Float64Array = new Float64Array(16);
   friction: Float64Array = new Float64Array(16);
   restitution: Float64Array = new Float64Array(16);
-  /** 1 where the contact held something in the step before. */
+  /** 1 where the two touched in the step before. */
   lasting: Uint8Array = new Uint8Array(16);
   /** Separating velocity, negative, with which the two hit each other in the step; 0 where they did not. Unit: m/s. */
   closing: Float64Array = new Float64Array(16);
@@ -63,7 +63,7 @@ export class EdgeRows {
       this.mass[r] = 1 / w;
       this.friction[r] = contacts.friction[c];
       this.restitution[r] = contacts.restitution[c];
-      this.lasting[r] = before.normal[c] > 0 ? 1 : 0;
+      this.lasting[r] = before.lasting[c];
       this.closing[r] = before.closing[c];
       this.normal[r] = before.normal[c];
       this.tangent[r] = before.tangent[c];
@@ -110,4 +110,4 @@ export class EdgeRows {
 }
 
 /** Impulses of a small step and closing speeds, by contact. */
-type Impulses = Readonly<Record<'normal' | 'tangent' | 'closing', Float64Array>>;
+type Impulses = Readonly<Record<'normal' | 'tangent' | 'closing', Float64Array>> & { readonly lasting: Uint8Array };

@@ -20,12 +20,12 @@ export class ImpulseMemory {
   };
 
   /**
-   * Hands each contact what it had in the last small step. Reads a, b, edgeEnd, source. Writes normal, tangent of the rows.
+   * Hands each contact what it had in the last small step. Reads a, b, edgeEnd, source. Writes normal, tangent, closing, lasting of the rows.
    * @param linkCount - How many sources are links: the others are known by their number after these.
    */
   recall(contacts: ContactBuffer, rows: ContactRows, linkCount: number, h: number): void {
     const { count, a, b, edgeEnd, source } = contacts;
-    const { normal, tangent, closing } = rows;
+    const { normal, tangent, closing, lasting } = rows;
     const kept = this.#kept;
     const scale = h / this.#h; // the same forces, over another time
     const shift = linkCount - this.#linkCount;
@@ -41,6 +41,7 @@ export class ImpulseMemory {
       normal[c] = known ? kept.normal[m] * scale : 0;
       tangent[c] = known ? kept.tangent[m] * scale : 0;
       closing[c] = 0;
+      lasting[c] = known ? 1 : 0;
       if (known) m++;
     }
   }
