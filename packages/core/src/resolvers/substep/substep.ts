@@ -58,6 +58,7 @@ class SubstepResolver implements Resolver {
   }
 
   step(simulation: Simulation, dt: number): boolean {
+    if (simulation.sources.isEmpty) return flyFreely(simulation, dt);
     return this.#of(simulation).step(simulation, dt);
   }
 
@@ -94,7 +95,6 @@ class SmallSteps {
 
   step(simulation: Simulation, dt: number): boolean {
     const { particles, forces, gravity, sources, contacts, time } = simulation;
-    if (sources.isEmpty) return flyFreely(simulation, dt);
     const h = dt / this.#subSteps;
     this.#sleep.spread(particles);
     do this.#contacts.find(simulation, dt);
