@@ -31,9 +31,9 @@ export const goldenHashes: { readonly [id: string]: string } = {
   restitution: 'a5219d5f',
   rods: 'cc1be01c',
   'rods-and-cables': '09e3eb6a',
-  'rope-bridge': '63b1a09f',
+  'rope-bridge': 'c5172146',
   'springs-amplitude': '0af3dd99',
   'springs-period': '5095b1ee',
   'sunk-box': '8a971a63 97e7e28d',
-  'wrecking-ball': '4f4ec011',
+  'wrecking-ball': '38dd7ecc',
 };

@@ -90,6 +90,7 @@ export const cloth: Scene<'size' | 'hung' | 'wind' | 'strength'> = {
       }),
     );
     const links = world.links.length;
+    const reach = Math.max(0.09, (0.7 * width) / size); // of a click: a knot's own threads, at least
     const cut = (hits: (middle: Point) => boolean): void => {
       for (const link of [...world.links]) {
         if (hits({ x: (link.a.x + link.b.x) / 2, y: (link.a.y + link.b.y) / 2 })) world.removeLink(link);
@@ -98,9 +99,9 @@ export const cloth: Scene<'size' | 'hung' | 'wind' | 'strength'> = {
     return {
       world,
       hand: { frequency: 80, maxForce: 60 },
-      tap: ({ x, y }) => cut((at) => Math.hypot(at.x - x, at.y - y) < 0.09),
+      tap: ({ x, y }) => cut((at) => Math.hypot(at.x - x, at.y - y) < reach),
       actions: [
-        { key: 'x', label: 'Cut a slit', run: () => cut((at) => Math.abs(at.x) < 0.06 && at.y < 0.3) },
+        { key: 'x', label: 'Cut a slit', run: () => cut((at) => Math.abs(at.x) < (0.55 * width) / size && at.y < 0.3) },
         {
           key: 'g',
           label: 'A gust',
