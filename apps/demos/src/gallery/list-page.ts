@@ -29,7 +29,7 @@ const hero = find('#hero');
 function start(host: HTMLElement, scene: Scene): Stage {
   const stage = new Stage(host, {
     scene,
-    values: { ...defaultValues(scene), ...scene.light },
+    values: Object.assign(defaultValues(scene), scene.light),
     seed: DEFAULT_SEED,
     palette: currentPalette(),
     failed: (error) => {

@@ -34,6 +34,8 @@ const loaders: { readonly [id: string]: () => Promise<Scene> } = {
   'wrecking-ball': async () => (await import('./wrecking-ball.ts')).wreckingBall,
   cloth: async () => (await import('./cloth.ts')).cloth,
   pile: async () => (await import('./pile.ts')).pile,
+  'box-stack': async () => (await import('./box-stack.ts')).boxStack,
+  'marble-run': async () => (await import('./marble-run.ts')).marbleRun,
   hourglass: async () => (await import('./hourglass.ts')).hourglass,
 };
 
