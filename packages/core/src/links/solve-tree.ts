@@ -7,15 +7,19 @@ export const ROW = 9;
 export const LENGTH = 0;
 /** Inverse mass of the node; 0 where nothing moves it. Unit: 1/kg. */
 export const INVERSE_MASS = 1;
-/** Tension that is added, but for what comes from the parent; what an impulse on the parent, x and y, adds to it. */
+/** Tension that is added, but for what comes from the parent. */
 export const OWN = 2;
+/** What an impulse on the parent along x adds to it. */
 export const PER_X = 3;
+/** What an impulse on the parent along y adds to it. */
 export const PER_Y = 4;
-/** From the node to its parent: the line along which the link pulls. Unit: m. */
+/** From the node to its parent, the line along which the link pulls: x. Unit: m. */
 export const ALONG_X = 5;
+/** The same: y. Unit: m. */
 export const ALONG_Y = 6;
-/** Tension in this small step, and its sum over the small steps so far: impulse over length, positive pulls. Unit: N·s/m. */
+/** Tension in this small step: impulse over length, positive pulls. Unit: N·s/m. */
 export const TENSION = 7;
+/** Its sum over the small steps so far. Unit: N·s/m. */
 export const TOTAL = 8;
 /** In the row of the root, which has no link: energy of motion that the links added. Unit: J. */
 export const GAIN = 7;
@@ -40,18 +44,23 @@ const FAR = 0.25;
 const HELD = 1e-9;
 /** One that turns by more than some 15° wants a second pass. */
 const WIDE = 0.93;
-/** A cable that pulls counts as taut up to this share short of its length; a new one but for rounding. */
+/** A cable that pulls counts as taut up to this share short of its length. */
 export const NEAR = 0.02;
+/** One that did not pull is taut but for rounding. */
 export const ROUNDING = 1e-9;
 
-/** What came of it: it cannot be done this way; it is done; it is done in a first approximation. */
+/** What came of it: it cannot be done this way. */
 export const FAILED = 0;
+/** It is done. */
 export const DONE = 1;
+/** It is done in a first approximation. */
 export const ROUGH = 2;
 
-/** Kinds of links: a rod has one length, a cable a greatest one, and the others have a greatest and a least. */
+/** A link of one length. */
 export const ROD = 0;
+/** A link of a greatest length. */
 export const CABLE = 1;
+/** A link of a greatest and a least length. */
 export const RANGE = 2;
 
 /**
@@ -221,8 +230,9 @@ export function eliminate(t: TreeTable, from: number, to: number, particles: Par
   return result;
 }
 
-/** What `substitute` found: a tension that swings its ends too swiftly for `eliminate`; a cable that pushes. */
+/** What `substitute` found: a tension that swings its ends too swiftly for `eliminate`. */
 export const SWIFT = 1;
+/** And a cable that pushes. */
 export const PUSHES = 2;
 
 /**

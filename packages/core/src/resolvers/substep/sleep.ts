@@ -85,16 +85,14 @@ export class Sleep {
     return true;
   }
 
-  /** Whether the two touch, or come nearer. What is only near disturbs nobody's sleep. */
-  #disturbs(
-    { a, b, normalX, normalY, penetration, margin }: ContactBuffer,
-    { vx, vy }: ParticleStore,
-    c: number,
-  ): boolean {
+  /**
+   * Whether the two touch, or what is awake of them moves or has just woken: hit, it would meet a sleeper as if that were immovable. What is
+   * only near disturbs nobody's sleep.
+   */
+  #disturbs({ a, b, penetration, margin }: ContactBuffer, { asleep }: ParticleStore, c: number): boolean {
     if (penetration[c] >= -margin) return true;
-    const ux = vx[a[c]] - vx[b[c]];
-    const uy = vy[a[c]] - vy[b[c]];
-    return ux * normalX[c] + uy * normalY[c] < -this.#speed;
+    const { restTime } = this.#table;
+    return (asleep[a[c]] === 0 && restTime[a[c]] === 0) || (asleep[b[c]] === 0 && restTime[b[c]] === 0);
   }
 
   /** Puts to sleep what has come to rest. Reads vx, vy, the contacts and links. Writes asleep, inverseMass, vx, vy. */
