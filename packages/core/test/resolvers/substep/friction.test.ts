@@ -40,6 +40,20 @@ describe('a slope', () => {
   });
 });
 
+describe('a point', () => {
+  it('[S4] that slides down a slope stays on it, at whatever angle', () => {
+    for (let degrees = 0; degrees < 90; degrees += 3) {
+      const angle = (degrees * Math.PI) / 180;
+      const { world, disc } = onSlope(angle, 0, 0);
+      disc.y += 0.3;
+      for (let step = 0; step < 200; step++) {
+        world.step(DT);
+        expect(disc.x * Math.sin(angle) + disc.y * Math.cos(angle)).toBeGreaterThan(-2e-4);
+      }
+    }
+  });
+});
+
 describe('a level floor', () => {
   it.each([0.1, 0.3, 0.8])(
     '[S4] with friction %s stops what slides after v² / 2µg, to 1 %%, and it stays',
