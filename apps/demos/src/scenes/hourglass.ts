@@ -69,7 +69,8 @@ export const hourglass: Scene<'count' | 'neck' | 'friction'> = {
       world,
       actions: [{ key: 't', label: 'Turn over', run: turn }],
       tap: turn,
-      takes: ({ y }) => Math.abs(y) > 1.2,
+      takes: ({ y }) => Math.abs(y) > 1.7,
+      hand: { frequency: 15 },
       beforeStep(dt) {
         if (grains[0].friction !== values.friction) for (const each of grains) each.friction = values.friction;
         if (since >= turning && world.stepCount % 120 === 119 && above() === 0) turn();
