@@ -14,7 +14,7 @@ export const marbleRun: Scene<'count' | 'speed' | 'air'> = {
   figure: 'Sub-steps',
   title: 'A marble run',
   summary:
-    'Marbles slide without friction down a slope and through a loop: what holds them at its top is their own speed, which is why the slope must be higher than the loop. A conveyor with friction brakes what comes fast and carries all at one speed; a tube of air lifts them to the start again. Slow the air, and they get stuck in the bend; drag a marble and let it go anywhere.',
+    'Marbles slide without friction down a slope and through a loop: what holds them at its top is their own speed, which is why the slope must be higher than the loop. A conveyor with friction brakes what comes fast and carries all at one speed; a tube of air lifts them to the start again. Slow the air, and they get stuck in the bend; turn it off, and they sink; drag a marble and let it go anywhere.',
   lookFor: 'A marble that comes from high enough stays on the track at the top of the loop.',
   formula: String.raw`\frac{v^2}{r}\ge g\;\Rightarrow\;v_0^2\ge 5\,g\,r`,
   parameters: {
@@ -45,14 +45,19 @@ export const marbleRun: Scene<'count' | 'speed' | 'air'> = {
       enter(marble, into);
       return marble;
     });
+    let blows = true;
+    const toggle = (): void => {
+      blows = !blows;
+    };
     return {
       world,
+      actions: [{ key: 'a', label: 'Air on or off', run: toggle }],
       beforeStep() {
-        const { velocity } = wind;
-        if ('y' in velocity && velocity.y !== values.air) wind.velocity = { x: 0, y: values.air };
+        const air = blows ? values.air : 0;
+        if ('y' in wind.velocity && wind.velocity.y !== air) wind.velocity = { x: 0, y: air };
         for (const marble of marbles) follow(marble);
       },
-      guides: () => [...beltMarks(world.time * speed), ...airMarks(world.time * values.air)],
+      guides: () => [...beltMarks(world.time * speed), ...(blows ? airMarks(world.time * values.air) : [])],
       readouts: () => [
         {
           label: 'Fastest',

@@ -21,7 +21,7 @@ export const pile: Scene<'count' | 'friction' | 'tilt'> = {
     friction: { label: 'Friction', min: 0, max: 1, step: 0.05, value: 0.3, live: true },
     tilt: { label: 'Tilt', unit: '°', min: -30, max: 30, step: 1, value: 0, live: true },
   },
-  light: { count: 1200 },
+  light: { count: 1800 },
   show: { minX: -half - 0.4, maxX: half + 0.4, minY: -0.4, maxY: high },
   poster: 1.4,
   style: ({ series, accent, paper }) => ({
