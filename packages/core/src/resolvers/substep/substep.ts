@@ -7,6 +7,7 @@ import type { Simulation } from '../../world/simulation.ts';
 import type { Resolver } from '../resolver.ts';
 import { ContactSolver } from './contact-solver.ts';
 import { HeldForces } from './held-forces.ts';
+import { keepInFront } from './keep-in-front.ts';
 import { LinkGroups } from './link-groups.ts';
 import { Sleep } from './sleep.ts';
 
@@ -119,6 +120,7 @@ class SmallSteps {
       }
     }
     this.#contacts.relax(simulation);
+    keepInFront(simulation);
     this.#contacts.keep(simulation);
     this.#sleep.settle(simulation, dt);
     return allFinite(particles);
