@@ -3,7 +3,7 @@ import { growColumns } from '../../math/columns.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 
 /** What a particle may go beside the way along which its contacts were looked for, as a share of its radius. */
-const SLACK = 0.5;
+const SLACK = 1;
 
 /**
  * Where contacts were looked for: from each particle's place along its velocity at that time. One that is hit, turned or thrown by a
