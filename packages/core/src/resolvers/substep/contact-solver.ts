@@ -103,6 +103,7 @@ export class ContactSolver {
   /** Undoes by position what moved particles into scenery since. Writes x, y. */
   keepOut({ contacts, particles }: Simulation): void {
     keepOut(contacts, this.#rows, contacts.sceneryStart, contacts.sceneryEnd, particles);
+    keepOut(contacts, this.#rows, contacts.sceneryEnd, contacts.count, particles);
   }
 
   /** Takes out the speed by which penetrations were undone, then gives back what hits give back. Reads x, y. Writes vx, vy. */

@@ -7,6 +7,8 @@ import type { Simulation } from '../../world/simulation.ts';
 const MOST = 4;
 /** How far in front a point is put. Unit: m. */
 const LEAST = 1e-3;
+/** What is stopped on its way is stopped after this share of it. */
+const SHORT = 0.99;
 
 const way = new Sweep();
 
@@ -23,16 +25,20 @@ export function keepInFront({ particles, sources, before }: Simulation): void {
     const dx = x[i] - before.x[i];
     const dy = y[i] - before.y[i];
     if (inverseMass[i] === 0 || dx * dx + dy * dy <= (radius[i] * radius[i]) / 4) continue;
-    for (let n = 0; n < MOST; n++) if (!putBack(i, particles, before, shapes)) break;
+    for (let n = 0; n <= MOST; n++) if (!putBack(i, particles, before, shapes, n === MOST)) break;
   }
 }
 
-/** Returns whether something was in the way. */
+/**
+ * Returns whether something was in the way.
+ * @param last - Stops it on its way, short of the surface: there it is in front of all others, too.
+ */
 function putBack(
   i: number,
   particles: Simulation['particles'],
   before: Simulation['before'],
   shapes: readonly Shape[],
+  last: boolean,
 ): boolean {
   const { x, y, vx, vy, radius } = particles;
   const dx = x[i] - before.x[i];
@@ -53,9 +59,14 @@ function putBack(
   const { normalX, normalY } = way;
   const front = Math.max(0, way.distance);
   const wanted = Math.min(front, Math.max(LEAST, radius[i] / 2)); // no farther in front than it was
-  const off = wanted - front - dx * normalX - dy * normalY;
-  x[i] += off * normalX;
-  y[i] += off * normalY;
+  if (last) {
+    x[i] = before.x[i] + SHORT * way.time * dx;
+    y[i] = before.y[i] + SHORT * way.time * dy;
+  } else {
+    const off = wanted - front - dx * normalX - dy * normalY;
+    x[i] += off * normalX;
+    y[i] += off * normalY;
+  }
   const closing = Math.min(0, vx[i] * normalX + vy[i] * normalY);
   vx[i] -= closing * normalX;
   vy[i] -= closing * normalY;

@@ -1,4 +1,4 @@
-import type { ContactBuffer } from '../../contacts/contact-buffer.ts';
+import { type ContactBuffer, SCENERY } from '../../contacts/contact-buffer.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 import type { ContactRows } from './contact-rows.ts';
 import type { Softness } from './softness.ts';
@@ -8,6 +8,11 @@ export const FASTEST_PUSH = 10;
 
 /** How much deeper is much, as a share of the radius. */
 const DEEPER = 0.1;
+
+/** How deep in scenery something may be, as a share of the radius: its centre stays in front, on a thin wall or it would come out behind. */
+const DEEPEST = 0.9;
+/** And a point is never less in front than this, whatever the rounding. Unit: m. */
+const ROUNDING = 1e-9;
 
 /**
  * A contact that held an impulse already and is almost calm is corrected by this much more than it asks for: piles come to rest in a
@@ -138,20 +143,23 @@ export function giveBack(
 }
 
 /**
- * Takes out of scenery, by position alone, what is much deeper in it than it was when the step began. Reads the rows, radius. Writes x, y.
+ * Takes out of scenery, by position alone, what is much deeper in it than it was when the step began, or as deep as its centre. Reads the
+ * rows, radius. Writes x, y.
  * @param start - First row.
  * @param end - After the last row.
  */
 export function keepOut(
-  { a, normalX, normalY, penetration, margin }: ContactBuffer,
+  { a, b, normalX, normalY, penetration, margin }: ContactBuffer,
   { offset, mass }: ContactRows,
   start: number,
   end: number,
   { x, y, radius }: ParticleArrays,
 ): void {
   for (let r = start; r < end; r++) {
+    if (b[r] !== SCENERY) continue;
     const i = a[r];
-    const depth = Math.max(penetration[r], 0) + DEEPER * radius[i] + margin / 8;
+    const deep = Math.max(penetration[r], 0) + DEEPER * radius[i] + margin / 8;
+    const depth = Math.min(deep, DEEPEST * radius[i] - ROUNDING);
     const deeper = -depth - (offset[r] + x[i] * normalX[r] + y[i] * normalY[r]);
     if (deeper <= 0 || mass[r] === 0) continue;
     x[i] += deeper * normalX[r];
