@@ -3,7 +3,7 @@ import { requireNonNegative, requireOrdered, requirePositiveOrInfinite, requireS
 import { checkedEnds, type End, isEndAlive, particleOf } from '../particles/end.ts';
 import { Particle } from '../particles/particle.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
-import { forestSolver } from './forest-solver.ts';
+import { linkKeeper } from './link-keeper.ts';
 import type { LimitedLink } from './limited-link.ts';
 import type { LinkSolver } from './link.ts';
 
@@ -41,7 +41,7 @@ export interface DistanceLinkOptions extends GivingOptions {
 /** A link that keeps the distance of its two ends between a least and a greatest: see `rod` and `cable`. */
 export class DistanceLink implements LimitedLink {
   /** What keeps it in the sub-step resolver. */
-  readonly solver: () => LinkSolver = forestSolver;
+  readonly solver: () => LinkSolver = linkKeeper;
   readonly a: End;
   readonly b: End;
   /** What it is, for drawing: 'rod', 'cable', or a game's own word. */
