@@ -41,6 +41,9 @@ export class ContactBuffer implements Contacts, ContactArrays {
   /** Those with static shapes are the contacts from the first number to before the second. */
   sceneryStart = 0;
   sceneryEnd = 0;
+  /** Those with edges are among the contacts from the first number to before the second. */
+  edgesStart = 0;
+  edgesEnd = 0;
   /** What is nearer than this is added too: how far a thing at rest may get within that time. Unit: m. */
   margin = 0;
   /** Whether the resolver knows contacts with edges: without, none are looked for. */
@@ -65,6 +68,8 @@ export class ContactBuffer implements Contacts, ContactArrays {
    */
   clear(slotCount: number, linkedPairs: ReadonlySet<number>): void {
     this.count = 0;
+    this.edgesStart = 0;
+    this.edgesEnd = 0;
     this.leftOut = 0;
     this.sensors.count = 0;
     this.#slotCount = slotCount;
@@ -125,8 +130,11 @@ export class ContactBuffer implements Contacts, ContactArrays {
    */
   makeEdge(end: number, share: number): void {
     if (this.leftOut > 0) return; // that contact was left out
-    this.edgeEnd[this.count - 1] = end;
-    this.edgeShare[this.count - 1] = share;
+    const c = this.count - 1;
+    this.edgeEnd[c] = end;
+    this.edgeShare[c] = share;
+    if (this.edgesEnd === 0) this.edgesStart = c;
+    this.edgesEnd = c + 1;
   }
 
   /** Makes room for more. Returns for how many there is room at the end: the limit is kept. */

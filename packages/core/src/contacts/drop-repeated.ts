@@ -16,6 +16,8 @@ export function dropRepeated(contacts: ContactBuffer, known: number): void {
     to++;
   }
   contacts.count = to;
+  contacts.edgesStart = Math.min(contacts.edgesStart, known); // what came after has moved
+  contacts.edgesEnd = Math.min(contacts.edgesEnd, to);
 }
 
 function order({ source, a, b, edgeEnd }: ContactBuffer, c: number, d: number): number {

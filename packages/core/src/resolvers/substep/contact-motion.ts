@@ -1,7 +1,7 @@
 import type { ContactBuffer } from '../../contacts/contact-buffer.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
+import { shareOf } from './contact-place.ts';
 import type { ContactRows } from './contact-rows.ts';
-import type { EdgeRows } from './edge-rows.ts';
 
 /**
  * What the contacts change of each particle's velocity in a small step. As the normals stay as they are, the next small step begins with
@@ -15,14 +15,14 @@ export class ContactMotion {
   #beforeY = new Float64Array(0);
 
   /** Begins with what the rows hold. Reads the contacts, the rows, inverseMass. */
-  begin(contacts: ContactBuffer, rows: ContactRows, edges: EdgeRows, particles: ParticleArrays): void {
+  begin(contacts: ContactBuffer, rows: ContactRows, particles: ParticleArrays): void {
     const { count, inverseMass } = particles;
     if (this.#vx.length <= count) this.#reserve(count * 2 + 1);
     const vx = this.#vx;
     const vy = this.#vy;
     vx.fill(0, 0, count + 1);
     vy.fill(0, 0, count + 1);
-    const { a, normalX, normalY } = contacts;
+    const { a, normalX, normalY, edgesStart, edgesEnd } = contacts;
     const { second, normal, tangent } = rows;
     for (let r = 0; r < rows.count; r++) {
       const i = a[r];
@@ -34,7 +34,19 @@ export class ContactMotion {
       vx[j] -= px * inverseMass[j];
       vy[j] -= py * inverseMass[j];
     }
-    edges.addTo(vx, vy, particles);
+    for (let r = edgesStart; r < edgesEnd; r++) {
+      const t = shareOf(contacts, r);
+      if (t === 0) continue;
+      // That part of it which the other end of the edge holds.
+      const j = second[r];
+      const k = contacts.edgeEnd[r];
+      const px = t * (normal[r] * normalX[r] + tangent[r] * normalY[r]);
+      const py = t * (normal[r] * normalY[r] - tangent[r] * normalX[r]);
+      vx[j] += px * inverseMass[j];
+      vy[j] += py * inverseMass[j];
+      vx[k] -= px * inverseMass[k];
+      vy[k] -= py * inverseMass[k];
+    }
   }
 
   /** v += the change that the contacts made last. Writes vx, vy. */

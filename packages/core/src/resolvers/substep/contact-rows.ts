@@ -1,6 +1,7 @@
-import { type ContactBuffer, NO_EDGE, SCENERY } from '../../contacts/contact-buffer.ts';
+import { type ContactBuffer, SCENERY } from '../../contacts/contact-buffer.ts';
 import { growColumns } from '../../math/columns.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
+import { shareOf } from './contact-place.ts';
 
 /** What the solver needs beside the contacts themselves, in the same order. A contact keeps its normal through the step. */
 export class ContactRows {
@@ -10,9 +11,9 @@ export class ContactRows {
   fallY = 0;
   /** Slot of the second: scenery has that after the last particle, where nothing moves. */
   second: Int32Array = new Int32Array(64);
-  /** The gap is this plus (x_a - x_b)·n. Unit: m. */
+  /** The gap is this plus (x_a - x_b)·n, where x_b is the place on the edge. Unit: m. */
   offset: Float64Array = new Float64Array(64);
-  /** One over the sum of the inverse masses; 0 where neither can move, and for contacts with edges, which have rows of their own. Unit: kg. */
+  /** One over the sum of the inverse masses, on an edge w_a + (1 - t)²·w_b + t²·w_e; 0 where nothing can move. Unit: kg. */
   mass: Float64Array = new Float64Array(64);
   /** 1 where the two touched in the step before. */
   lasting: Uint8Array = new Uint8Array(64);
@@ -41,18 +42,27 @@ export class ContactRows {
    * @param from - First row to write.
    */
   build(contacts: ContactBuffer, { count: slots, x, y, inverseMass }: ParticleArrays, from: number): void {
-    const { count, a, b, normalX, normalY, penetration, edgeEnd } = contacts;
+    const { count, a, b, normalX, normalY, penetration, edgesStart, edgesEnd } = contacts;
     const { second, offset, mass, lasting, normal } = this;
     for (let c = from; c < count; c++) {
       const i = a[c];
       const j = b[c] === SCENERY ? slots : b[c];
       const nx = normalX[c];
       const ny = normalY[c];
-      const w = edgeEnd[c] === NO_EDGE ? inverseMass[i] + inverseMass[j] : 0;
+      const w = inverseMass[i] + inverseMass[j];
       second[c] = j;
       offset[c] = -penetration[c] - (x[i] - x[j]) * nx - (y[i] - y[j]) * ny;
       mass[c] = w === 0 ? 0 : 1 / w;
       if (normal[c] === 0 && penetration[c] < 0) lasting[c] = 0;
+    }
+    for (let c = Math.max(from, edgesStart); c < edgesEnd; c++) {
+      const t = shareOf(contacts, c);
+      if (t === 0) continue;
+      const j = b[c];
+      const k = contacts.edgeEnd[c];
+      const w = inverseMass[a[c]] + (1 - t) * (1 - t) * inverseMass[j] + t * t * inverseMass[k];
+      offset[c] += t * ((x[k] - x[j]) * normalX[c] + (y[k] - y[j]) * normalY[c]);
+      mass[c] = w === 0 ? 0 : 1 / w;
     }
   }
 }

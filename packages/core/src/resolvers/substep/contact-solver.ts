@@ -4,11 +4,10 @@ import type { Simulation } from '../../world/simulation.ts';
 import { ContactMotion } from './contact-motion.ts';
 import { ContactRange } from './contact-range.ts';
 import { ContactRows } from './contact-rows.ts';
-import { giveBackEdges, solveEdges } from './edge-contacts.ts';
-import { EdgeRows } from './edge-rows.ts';
 import { ImpulseMemory } from './impulse-memory.ts';
 import { RIGID, type Softness, softness } from './softness.ts';
 import { giveBack, keepOut, solveContacts, takeBackPush } from './solve-contacts.ts';
+import { solveEdges } from './solve-edges.ts';
 
 /** Stiffness of contacts of two particles, and with scenery. Unit: Hz. */
 const HERTZ = 60;
@@ -25,7 +24,6 @@ const DAMPING_RATIO = 10;
 /** The contacts of a step, from their discovery to their impulses. */
 export class ContactSolver {
   readonly #rows = new ContactRows();
-  readonly #edges = new EdgeRows();
   readonly #memory = new ImpulseMemory();
   readonly #motion = new ContactMotion();
   readonly #range = new ContactRange();
@@ -68,8 +66,8 @@ export class ContactSolver {
     const { contacts, particles, sources } = simulation;
     this.#rows.reserve(contacts.count);
     this.#memory.recall(contacts, this.#rows, sources.links.length, h);
-    this.#makeRows(simulation, 0);
-    this.#motion.begin(contacts, this.#rows, this.#edges, particles);
+    this.#rows.build(contacts, particles, 0);
+    this.#motion.begin(contacts, this.#rows, particles);
   }
 
   /** Looks for more contacts, within the step, if something may go where none were looked for. */
@@ -79,12 +77,7 @@ export class ContactSolver {
     this.find(simulation, rest, true);
     this.#rows.reserve(simulation.contacts.count);
     this.#rows.forget(known);
-    this.#makeRows(simulation, known);
-  }
-
-  #makeRows({ contacts, particles }: Simulation, from: number): void {
-    this.#rows.build(contacts, particles, from);
-    this.#edges.build(contacts, this.#rows, particles, from);
+    this.#rows.build(simulation.contacts, simulation.particles, known);
   }
 
   /** Begins a small step with what the contacts did in the last one. Writes vx, vy. */
@@ -110,27 +103,27 @@ export class ContactSolver {
   relax({ contacts, particles }: Simulation): void {
     const rows = this.#rows;
     takeBackPush(contacts, rows, particles, this.#soft.biasRate);
-    this.#edges.uncount(contacts);
     this.#pass(contacts, particles, RIGID, RIGID);
     giveBack(contacts, rows, particles, this.#resting);
-    giveBackEdges(this.#edges, contacts, particles, this.#resting);
   }
 
   /** Keeps the impulses for the next step. Reads the contacts. */
   keep({ contacts, sources }: Simulation): void {
-    this.#edges.report(this.#rows);
     this.#memory.keep(contacts, this.#rows, sources.links.length, this.#h);
   }
 
   /** What cannot give way has the last word: scenery. */
   #pass(contacts: ContactBuffer, particles: ParticleArrays, soft: Softness, edgeSoft: Softness): void {
     const { count, sceneryStart, sceneryEnd } = contacts;
+    const edgesStart = Math.max(sceneryEnd, contacts.edgesStart);
+    const edgesEnd = Math.max(edgesStart, contacts.edgesEnd);
     const rows = this.#rows;
     const h = this.#h;
     const calm = this.#calm;
     solveContacts(contacts, rows, 0, sceneryStart, particles, soft, h, calm);
-    solveContacts(contacts, rows, sceneryEnd, count, particles, soft, h, calm);
-    solveEdges(this.#edges, contacts, particles, edgeSoft, h, calm);
+    solveContacts(contacts, rows, sceneryEnd, edgesStart, particles, soft, h, calm);
+    solveContacts(contacts, rows, edgesEnd, count, particles, soft, h, calm);
+    solveEdges(contacts, rows, edgesStart, edgesEnd, particles, soft, edgeSoft, h, calm);
     solveContacts(contacts, rows, sceneryStart, sceneryEnd, particles, soft, h, calm);
   }
 }

@@ -1,5 +1,6 @@
 import { type ContactBuffer, SCENERY } from '../../contacts/contact-buffer.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
+import { partingSpeed, push } from './contact-place.ts';
 import type { ContactRows } from './contact-rows.ts';
 import type { Softness } from './softness.ts';
 
@@ -89,27 +90,22 @@ export function solveContacts(
  * @param biasRate - Share of a penetration that was undone in a second. Unit: 1/s.
  */
 export function takeBackPush(
-  { count, a, normalX, normalY, penetration, impulse, tangentImpulse }: ContactBuffer,
+  contacts: ContactBuffer,
   { second, mass, normal, tangent }: ContactRows,
-  { vx, vy, inverseMass }: ParticleArrays,
+  particles: ParticleArrays,
   biasRate: number,
 ): void {
+  const { count, normalX, normalY, penetration, impulse, tangentImpulse } = contacts;
+  const { vx, vy, inverseMass } = particles;
   for (let r = 0; r < count; r++) {
     impulse[r] -= normal[r];
     tangentImpulse[r] -= tangent[r];
     const depth = penetration[r];
     if (normal[r] > 0 || impulse[r] === 0 || depth <= 0) continue;
-    const i = a[r];
-    const j = second[r];
-    const nx = normalX[r];
-    const ny = normalY[r];
-    const speed = (vx[i] - vx[j]) * nx + (vy[i] - vy[j]) * ny;
+    const speed = partingSpeed(contacts, second, particles, r);
     if (speed <= 0) continue;
     const J = mass[r] * Math.min(speed, depth * biasRate, FASTEST_PUSH);
-    vx[i] -= J * inverseMass[i] * nx;
-    vy[i] -= J * inverseMass[i] * ny;
-    vx[j] += J * inverseMass[j] * nx;
-    vy[j] += J * inverseMass[j] * ny;
+    push(contacts, second, r, -J * normalX[r], -J * normalY[r], inverseMass, vx, vy);
   }
 }
 
@@ -119,26 +115,21 @@ export function takeBackPush(
  * @param resting - Closing speed up to which a contact rests. Unit: m/s.
  */
 export function giveBack(
-  { count, a, normalX, normalY, restitution, impulse }: ContactBuffer,
+  contacts: ContactBuffer,
   { second, mass, closing }: ContactRows,
-  { vx, vy, inverseMass }: ParticleArrays,
+  particles: ParticleArrays,
   resting: number,
 ): void {
+  const { count, normalX, normalY, restitution, impulse } = contacts;
+  const { vx, vy, inverseMass } = particles;
   for (let r = 0; r < count; r++) {
     if (restitution[r] === 0 || closing[r] >= -resting || impulse[r] === 0) continue;
-    const i = a[r];
-    const j = second[r];
-    const nx = normalX[r];
-    const ny = normalY[r];
-    const speed = (vx[i] - vx[j]) * nx + (vy[i] - vy[j]) * ny;
+    const speed = partingSpeed(contacts, second, particles, r);
     // No more than its share of the impulse that stopped the hit (Poisson): where several hit at once, more would add energy.
     const J = Math.min(restitution[r] * impulse[r], -mass[r] * (speed + restitution[r] * closing[r]));
     if (J <= 0) continue;
     impulse[r] += J;
-    vx[i] += J * inverseMass[i] * nx;
-    vy[i] += J * inverseMass[i] * ny;
-    vx[j] -= J * inverseMass[j] * nx;
-    vy[j] -= J * inverseMass[j] * ny;
+    push(contacts, second, r, J * normalX[r], J * normalY[r], inverseMass, vx, vy);
   }
 }
 
