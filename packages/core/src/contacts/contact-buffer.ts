@@ -202,6 +202,11 @@ export class ContactBuffer implements Contacts, ContactArrays {
   }
 }
 
+/** Where on an edge a contact lies, 0 at the second particle; 0 also where there is no edge. */
+export function shareOf({ edgeEnd, edgeShare }: ContactBuffer, r: number): number {
+  return edgeEnd[r] === NO_EDGE ? 0 : edgeShare[r];
+}
+
 /** A normal of length 1. */
 export function requireUnitNormal(where: string, normalX: number, normalY: number): void {
   if (Math.abs(normalX * normalX + normalY * normalY - 1) < 1e-6) return;

@@ -3,9 +3,9 @@ import { requireNonNegative, requireOrdered, requirePositiveOrInfinite, requireS
 import { checkedEnds, type End, isEndAlive, particleOf } from '../particles/end.ts';
 import { Particle } from '../particles/particle.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
-import { linkKeeper } from './link-keeper.ts';
 import type { LimitedLink } from './limited-link.ts';
 import type { LinkSolver } from './link.ts';
+import { linkKeeper } from './link-keeper.ts';
 
 /** When a link gives way. */
 export interface BreakingOptions {

@@ -11,7 +11,7 @@ export function linkKeeper(): LinkSolver {
 
 /** Rigid bodies are moved as such; all other links are kept as the trees that they make. */
 class LinkKeeper implements LinkSolver {
-  readonly #bodies = new RigidBodies();
+  readonly bodies: RigidBodies = new RigidBodies();
   readonly #forest = forestSolver();
   #links: readonly LimitedLink[] = [];
   /** Where the links of the forest stand among all. */
@@ -25,7 +25,7 @@ class LinkKeeper implements LinkSolver {
   }
 
   setLinks(links: readonly LimitedLink[], particles: ParticleArrays): void {
-    const taken = this.#bodies.take(links, particles);
+    const taken = this.bodies.take(links, particles);
     this.#links = links;
     this.#numbers = [...links.keys()].filter((l) => taken[l] === 0);
     this.#impulse = new Float64Array(links.length);
@@ -36,20 +36,20 @@ class LinkKeeper implements LinkSolver {
   }
 
   begin(particles: ParticleArrays): void {
-    if (!this.#bodies.begin(particles)) {
+    if (!this.bodies.begin(particles)) {
       this.setLinks(this.#links, particles);
-      this.#bodies.begin(particles);
+      this.bodies.begin(particles);
     }
     this.#forest.begin(particles);
   }
 
   solve(particles: ParticleArrays, h: number): void {
-    this.#bodies.solve(particles, h);
+    this.bodies.solve(particles, h);
     this.#forest.solve(particles, h);
   }
 
   straighten(particles: ParticleArrays): void {
-    this.#bodies.straighten(particles);
+    this.bodies.straighten(particles);
     this.#forest.straighten?.(particles);
   }
 }

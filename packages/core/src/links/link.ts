@@ -1,6 +1,7 @@
 import type { ContactGenerator } from '../contacts/contact-generator.ts';
 import type { End } from '../particles/end.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
+import type { RigidMotion } from './rigid-motion.ts';
 
 /**
  * Something that joins two ends by contacts. A game's own is made the same way: implement it, hand it to `World.addLink`.
@@ -35,6 +36,8 @@ export interface LinkSolver {
    * @param h - Duration of the small step. Unit: s.
    */
   solve(particles: ParticleArrays, h: number): void;
+  /** Rigid bodies that links make, if it knows any: contacts push these as a whole. */
+  readonly bodies?: RigidMotion;
   /** Brings links back to their lengths by position alone, after contacts have pushed their ends. Writes x, y. */
   straighten?(particles: ParticleArrays): void;
 }

@@ -1,49 +1,57 @@
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import type { LimitedLink } from './limited-link.ts';
 import { linkGraph } from './link-graph.ts';
-import { type RigidShape, rigidShape } from './rigid-shape.ts';
+import type { RigidMotion } from './rigid-motion.ts';
+import { connectedParts, type RigidShape, rigidShape } from './rigid-shape.ts';
 
 /** How far a body may turn in a small step: the sine. What spins faster is slowed to it. */
 const FASTEST_TURN = 0.9;
 
 /**
- * Keeps what rods hold in one shape by moving it as one: a position, an angle and their velocities are all that it has. That is direct, whatever the
- * number of rods, and takes no energy from a body that turns freely: the step is what the rods would do (SHAKE, J.-P. Ryckaert et al., 1977),
- * found from momentum and angular momentum alone.
+ * Keeps what rods hold in one shape by moving it as one: a place, an angle and their velocities are all that it has. That is direct, whatever
+ * the number of rods, and takes no energy from a body that turns freely: the step is what the rods would do (SHAKE, J.-P. Ryckaert
+ * et al., 1977), found from momentum and angular momentum alone.
  */
-export class RigidBodies {
-  /** First member of each body, and the end of the last. */
-  #first: number[] = [0];
-  #slot = new Int32Array(0);
-  /** Where each member is in its body, from the centre of mass. Unit: m. */
-  #x = new Float64Array(0);
-  #y = new Float64Array(0);
-  #mass = new Float64Array(0);
-  /** Of each body: mass, moment of inertia. Unit: kg, kg·m². */
-  #bodyMass = new Float64Array(0);
-  #inertia = new Float64Array(0);
+export class RigidBodies implements RigidMotion {
+  vx: Float64Array = new Float64Array(0);
+  vy: Float64Array = new Float64Array(0);
+  spin: Float64Array = new Float64Array(0);
+  x: Float64Array = new Float64Array(0);
+  y: Float64Array = new Float64Array(0);
+  inverseMass: Float64Array = new Float64Array(0);
+  inverseInertia: Float64Array = new Float64Array(0);
+  /** The motion as it was read. */
+  #oldVx = new Float64Array(0);
+  #oldVy = new Float64Array(0);
+  #oldSpin = new Float64Array(0);
   #awake = new Uint8Array(0);
+  /** First member of each body, and the end of the last. */
+  #first: Int32Array = new Int32Array(1);
+  /** The members: slot, place in the body from its centre of mass, mass. */
+  #slot: Int32Array = new Int32Array(0);
+  #shapeX: Float64Array = new Float64Array(0);
+  #shapeY: Float64Array = new Float64Array(0);
+  #mass = new Float64Array(0);
+  /** The body of each slot, or -1; slots beyond have none. */
+  #bodyOf: Int32Array = new Int32Array(0);
   #links: readonly LimitedLink[] = [];
-  #lengths = new Float64Array(0);
+  #lengths: Float64Array = new Float64Array(0);
 
   /** Takes those of the links that make rigid bodies. Returns 1 for each that it has taken. */
   take(links: readonly LimitedLink[], particles: ParticleArrays): Uint8Array {
-    const taken = new Uint8Array(links.length);
     const graph = linkGraph(links, particles);
     const shapes: RigidShape[] = [];
-    const bodyOf = new Int32Array(graph.slots).fill(-1);
-    for (const slots of parts(graph)) {
+    this.#bodyOf = new Int32Array(graph.slots).fill(-1);
+    for (const slots of connectedParts(graph)) {
       const shape = rigidShape(slots, links, graph, particles);
       if (shape === undefined) continue;
-      for (const slot of slots) bodyOf[slot] = shapes.length;
+      for (const slot of slots) this.#bodyOf[slot] = shapes.length;
       shapes.push(shape);
     }
-    this.#links = links.filter((_, l) => {
-      taken[l] = graph.near[l] >= 0 && bodyOf[graph.near[l]] >= 0 ? 1 : 0;
-      return taken[l] === 1;
-    });
+    this.#hold(shapes);
+    const taken = Uint8Array.from(graph.near, (slot) => (slot >= 0 && this.#bodyOf[slot] >= 0 ? 1 : 0));
+    this.#links = links.filter((_, l) => taken[l] === 1);
     this.#lengths = Float64Array.from(this.#links, ({ maxLength }) => maxLength);
-    this.#write(shapes);
     return taken;
   }
 
@@ -54,76 +62,122 @@ export class RigidBodies {
       if (minLength !== this.#lengths[l] || maxLength !== this.#lengths[l]) return false;
     }
     for (let b = 0; b < this.#awake.length; b++) {
-      let changed = this.#bodyMass[b] === 0;
-      let awake = 1;
+      let changed = false;
+      this.#awake[b] = 1;
       for (let k = this.#first[b]; k < this.#first[b + 1]; k++) {
         const s = this.#slot[k];
-        if (asleep[s] === 1) awake = 0;
+        if (asleep[s] === 1) this.#awake[b] = 0;
         else if (inverseMass[s] === 0) return false;
         if (mass[s] !== this.#mass[k]) changed = true;
       }
-      this.#awake[b] = awake;
       if (changed) this.#weigh(b, mass);
     }
     return true;
+  }
+
+  bodyOf(slot: number): number {
+    const body = slot < this.#bodyOf.length ? this.#bodyOf[slot] : -1;
+    return body >= 0 && this.#awake[body] === 1 ? body : -1;
+  }
+
+  read({ x, y, vx, vy }: ParticleArrays): void {
+    const slot = this.#slot;
+    const mass = this.#mass;
+    for (let b = 0; b < this.#awake.length; b++) {
+      if (this.#awake[b] === 0) continue;
+      const from = this.#first[b];
+      const to = this.#first[b + 1];
+      let mx = 0;
+      let my = 0;
+      let px = 0;
+      let py = 0;
+      let turn = 0;
+      for (let k = from; k < to; k++) {
+        const s = slot[k];
+        const m = mass[k];
+        mx += m * x[s];
+        my += m * y[s];
+        px += m * vx[s];
+        py += m * vy[s];
+      }
+      const w = this.inverseMass[b];
+      const cx = mx * w;
+      const cy = my * w;
+      for (let k = from; k < to; k++) {
+        const s = slot[k];
+        turn += mass[k] * ((x[s] - cx) * vy[s] - (y[s] - cy) * vx[s]);
+      }
+      this.x[b] = cx;
+      this.y[b] = cy;
+      this.vx[b] = this.#oldVx[b] = px * w;
+      this.vy[b] = this.#oldVy[b] = py * w;
+      this.spin[b] = this.#oldSpin[b] = turn * this.inverseInertia[b];
+    }
+  }
+
+  write({ x, y, vx, vy }: ParticleArrays): void {
+    for (let b = 0; b < this.#awake.length; b++) {
+      if (this.#awake[b] === 0) continue;
+      const dvx = this.vx[b] - this.#oldVx[b];
+      const dvy = this.vy[b] - this.#oldVy[b];
+      const spin = this.spin[b] - this.#oldSpin[b];
+      if (dvx === 0 && dvy === 0 && spin === 0) continue;
+      for (let k = this.#first[b]; k < this.#first[b + 1]; k++) {
+        const s = this.#slot[k];
+        vx[s] += dvx - spin * (y[s] - this.y[b]);
+        vy[s] += dvy + spin * (x[s] - this.x[b]);
+      }
+    }
+  }
+
+  push(
+    body: number,
+    impulseX: number,
+    impulseY: number,
+    atX: number,
+    atY: number,
+    { x, y }: ParticleArrays,
+    vx: Float64Array,
+    vy: Float64Array,
+  ): void {
+    let mx = 0;
+    let my = 0;
+    const from = this.#first[body];
+    const to = this.#first[body + 1];
+    for (let k = from; k < to; k++) {
+      mx += this.#mass[k] * x[this.#slot[k]];
+      my += this.#mass[k] * y[this.#slot[k]];
+    }
+    const w = this.inverseMass[body];
+    const cx = mx * w;
+    const cy = my * w;
+    const spin = ((atX - cx) * impulseY - (atY - cy) * impulseX) * this.inverseInertia[body];
+    for (let k = from; k < to; k++) {
+      const s = this.#slot[k];
+      vx[s] += impulseX * w - spin * (y[s] - cy);
+      vy[s] += impulseY * w + spin * (x[s] - cx);
+    }
   }
 
   /**
    * Gives the members of each body the velocities at which they stay in shape while positions move on by `h`. Reads x, y, vx, vy.
    * Writes x, y by what they are off their shape, and vx, vy.
    */
-  solve({ x, y, vx, vy }: ParticleArrays, h: number): void {
-    const slot = this.#slot;
-    const rx = this.#x;
-    const ry = this.#y;
-    const mass = this.#mass;
+  solve(particles: ParticleArrays, h: number): void {
+    this.straighten(particles);
+    this.read(particles);
+    const { x, y, vx, vy } = particles;
     for (let b = 0; b < this.#awake.length; b++) {
       if (this.#awake[b] === 0) continue;
-      const from = this.#first[b];
-      const to = this.#first[b + 1];
-      let cx = 0;
-      let cy = 0;
-      let px = 0;
-      let py = 0;
-      for (let k = from; k < to; k++) {
-        const s = slot[k];
-        const m = mass[k];
-        cx += m * x[s];
-        cy += m * y[s];
-        px += m * vx[s];
-        py += m * vy[s];
-      }
-      const perMass = 1 / this.#bodyMass[b];
-      cx *= perMass;
-      cy *= perMass;
-      px *= perMass;
-      py *= perMass;
-      let along = 0;
-      let across = 0;
-      let spin = 0;
-      for (let k = from; k < to; k++) {
-        const s = slot[k];
-        const m = mass[k];
-        const dx = x[s] - cx;
-        const dy = y[s] - cy;
-        along += m * (rx[k] * dx + ry[k] * dy);
-        across += m * (rx[k] * dy - ry[k] * dx);
-        spin += m * (dx * (vy[s] - py) - dy * (vx[s] - px));
-      }
-      const norm = Math.sqrt(along * along + across * across);
-      const cos = norm === 0 ? 1 : along / norm;
-      const sin = norm === 0 ? 0 : across / norm;
-      const turn = Math.max(-FASTEST_TURN, Math.min(FASTEST_TURN, (h * spin) / this.#inertia[b]));
-      const across1 = turn / h;
+      const turn = Math.max(-FASTEST_TURN, Math.min(FASTEST_TURN, h * this.spin[b]));
+      const across = turn / h;
       const inwards = (turn * turn) / ((1 + Math.sqrt(1 - turn * turn)) * h);
-      for (let k = from; k < to; k++) {
-        const s = slot[k];
-        const ox = cos * rx[k] - sin * ry[k];
-        const oy = sin * rx[k] + cos * ry[k];
-        x[s] = cx + ox;
-        y[s] = cy + oy;
-        vx[s] = px - across1 * oy - inwards * ox;
-        vy[s] = py + across1 * ox - inwards * oy;
+      for (let k = this.#first[b]; k < this.#first[b + 1]; k++) {
+        const s = this.#slot[k];
+        const dx = x[s] - this.x[b];
+        const dy = y[s] - this.y[b];
+        vx[s] = this.vx[b] - across * dy - inwards * dx;
+        vy[s] = this.vy[b] + across * dx - inwards * dy;
       }
     }
   }
@@ -131,9 +185,8 @@ export class RigidBodies {
   /** Brings the members back into shape by position alone. Writes x, y. */
   straighten({ x, y }: ParticleArrays): void {
     const slot = this.#slot;
-    const rx = this.#x;
-    const ry = this.#y;
-    const mass = this.#mass;
+    const shapeX = this.#shapeX;
+    const shapeY = this.#shapeY;
     for (let b = 0; b < this.#awake.length; b++) {
       if (this.#awake[b] === 0) continue;
       const from = this.#first[b];
@@ -144,37 +197,46 @@ export class RigidBodies {
       let across = 0;
       for (let k = from; k < to; k++) {
         const s = slot[k];
-        const mx = mass[k] * x[s];
-        const my = mass[k] * y[s];
+        const mx = this.#mass[k] * x[s];
+        const my = this.#mass[k] * y[s];
         cx += mx;
         cy += my;
-        along += rx[k] * mx + ry[k] * my;
-        across += rx[k] * my - ry[k] * mx;
+        along += shapeX[k] * mx + shapeY[k] * my;
+        across += shapeX[k] * my - shapeY[k] * mx;
       }
-      cx /= this.#bodyMass[b];
-      cy /= this.#bodyMass[b];
+      cx *= this.inverseMass[b];
+      cy *= this.inverseMass[b];
       const norm = Math.sqrt(along * along + across * across);
       if (norm === 0) continue;
       const cos = along / norm;
       const sin = across / norm;
       for (let k = from; k < to; k++) {
         const s = slot[k];
-        x[s] = cx + cos * rx[k] - sin * ry[k];
-        y[s] = cy + sin * rx[k] + cos * ry[k];
+        x[s] = cx + cos * shapeX[k] - sin * shapeY[k];
+        y[s] = cy + sin * shapeX[k] + cos * shapeY[k];
       }
     }
   }
 
-  #write(shapes: readonly RigidShape[]): void {
-    this.#first = [0];
-    for (const { slots } of shapes) this.#first.push((this.#first.at(-1) ?? 0) + slots.length);
+  #hold(shapes: readonly RigidShape[]): void {
+    this.#first = new Int32Array(shapes.length + 1);
+    for (let b = 0; b < shapes.length; b++) this.#first[b + 1] = this.#first[b] + shapes[b].slots.length;
     this.#slot = Int32Array.from(shapes.flatMap(({ slots }) => slots));
-    this.#x = Float64Array.from(shapes.flatMap(({ x }) => x));
-    this.#y = Float64Array.from(shapes.flatMap(({ y }) => y));
+    this.#shapeX = Float64Array.from(shapes.flatMap(({ x }) => x));
+    this.#shapeY = Float64Array.from(shapes.flatMap(({ y }) => y));
     this.#mass = new Float64Array(this.#slot.length);
-    this.#bodyMass = new Float64Array(shapes.length);
-    this.#inertia = new Float64Array(shapes.length);
     this.#awake = new Uint8Array(shapes.length);
+    const column = () => new Float64Array(shapes.length);
+    this.x = column();
+    this.y = column();
+    this.vx = column();
+    this.vy = column();
+    this.spin = column();
+    this.#oldVx = column();
+    this.#oldVy = column();
+    this.#oldSpin = column();
+    this.inverseMass = column();
+    this.inverseInertia = column();
   }
 
   /** Reads the masses of a body, and puts the origin of its shape where they balance. */
@@ -188,39 +250,18 @@ export class RigidBodies {
       const m = mass[this.#slot[k]];
       this.#mass[k] = m;
       sum += m;
-      cx += m * this.#x[k];
-      cy += m * this.#y[k];
+      cx += m * this.#shapeX[k];
+      cy += m * this.#shapeY[k];
     }
     let inertia = 0;
     for (let k = from; k < to; k++) {
-      const x = this.#x[k] - cx / sum;
-      const y = this.#y[k] - cy / sum;
-      this.#x[k] = x;
-      this.#y[k] = y;
+      const x = this.#shapeX[k] - cx / sum;
+      const y = this.#shapeY[k] - cy / sum;
+      this.#shapeX[k] = x;
+      this.#shapeY[k] = y;
       inertia += this.#mass[k] * (x * x + y * y);
     }
-    this.#bodyMass[b] = sum;
-    this.#inertia[b] = inertia;
+    this.inverseMass[b] = 1 / sum;
+    this.inverseInertia[b] = 1 / inertia;
   }
-}
-
-/** The slots of each connected part of a graph. */
-function parts({ slots, near, far, first, links }: ReturnType<typeof linkGraph>): number[][] {
-  const seen = new Uint8Array(slots);
-  const all: number[][] = [];
-  for (let start = 0; start < slots; start++) {
-    if (seen[start] === 1 || first[start + 1] === first[start]) continue;
-    const part = [start];
-    seen[start] = 1;
-    for (const slot of part) {
-      for (let i = first[slot]; i < first[slot + 1]; i++) {
-        const other = near[links[i]] === slot ? far[links[i]] : near[links[i]];
-        if (other < 0 || seen[other] === 1) continue;
-        seen[other] = 1;
-        part.push(other);
-      }
-    }
-    all.push(part);
-  }
-  return all;
 }

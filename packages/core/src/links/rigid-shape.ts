@@ -142,3 +142,24 @@ function otherEnd(near: Int32Array, far: Int32Array, link: number, slot: number)
 function length(x: number, y: number): number {
   return Math.sqrt(x * x + y * y);
 }
+
+/** The slots of each connected part of a graph. */
+export function connectedParts({ slots, near, far, first, links }: LinkGraph): number[][] {
+  const seen = new Uint8Array(slots);
+  const parts: number[][] = [];
+  for (let start = 0; start < slots; start++) {
+    if (seen[start] === 1 || first[start + 1] === first[start]) continue;
+    const part = [start];
+    seen[start] = 1;
+    for (const slot of part) {
+      for (let i = first[slot]; i < first[slot + 1]; i++) {
+        const other = otherEnd(near, far, links[i], slot);
+        if (other < 0 || seen[other] === 1) continue;
+        seen[other] = 1;
+        part.push(other);
+      }
+    }
+    parts.push(part);
+  }
+  return parts;
+}

@@ -1,6 +1,7 @@
-import type { ContactBuffer } from '../../contacts/contact-buffer.ts';
+import { type ContactBuffer, NO_EDGE } from '../../contacts/contact-buffer.ts';
+import type { RigidMotion } from '../../links/rigid-motion.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
-import { shareOf } from './contact-place.ts';
+import { push } from './contact-place.ts';
 import type { ContactRows } from './contact-rows.ts';
 
 /**
@@ -14,38 +15,29 @@ export class ContactMotion {
   #beforeX = new Float64Array(0);
   #beforeY = new Float64Array(0);
 
-  /** Begins with what the rows hold. Reads the contacts, the rows, inverseMass. */
-  begin(contacts: ContactBuffer, rows: ContactRows, particles: ParticleArrays): void {
+  /** Begins with what the rows hold. Reads the contacts, the rows, x, y, inverseMass. */
+  begin(contacts: ContactBuffer, rows: ContactRows, bodies: RigidMotion | undefined, particles: ParticleArrays): void {
     const { count, inverseMass } = particles;
     if (this.#vx.length <= count) this.#reserve(count * 2 + 1);
     const vx = this.#vx;
     const vy = this.#vy;
     vx.fill(0, 0, count + 1);
     vy.fill(0, 0, count + 1);
-    const { a, normalX, normalY, edgesStart, edgesEnd } = contacts;
-    const { second, normal, tangent } = rows;
+    const { a, normalX, normalY, edgeEnd } = contacts;
+    const { second, normal, tangent, ofBody } = rows;
     for (let r = 0; r < rows.count; r++) {
-      const i = a[r];
-      const j = second[r];
       const px = normal[r] * normalX[r] + tangent[r] * normalY[r];
       const py = normal[r] * normalY[r] - tangent[r] * normalX[r];
+      if (edgeEnd[r] !== NO_EDGE || ofBody[r] === 1) {
+        if (normal[r] > 0) push(contacts, rows, bodies, r, px, py, particles, vx, vy);
+        continue;
+      }
+      const i = a[r];
+      const j = second[r];
       vx[i] += px * inverseMass[i];
       vy[i] += py * inverseMass[i];
       vx[j] -= px * inverseMass[j];
       vy[j] -= py * inverseMass[j];
-    }
-    for (let r = edgesStart; r < edgesEnd; r++) {
-      const t = shareOf(contacts, r);
-      if (t === 0) continue;
-      // That part of it which the other end of the edge holds.
-      const j = second[r];
-      const k = contacts.edgeEnd[r];
-      const px = t * (normal[r] * normalX[r] + tangent[r] * normalY[r]);
-      const py = t * (normal[r] * normalY[r] - tangent[r] * normalX[r]);
-      vx[j] += px * inverseMass[j];
-      vy[j] += py * inverseMass[j];
-      vx[k] -= px * inverseMass[k];
-      vy[k] -= py * inverseMass[k];
     }
   }
 

@@ -1,10 +1,7 @@
-import { type ContactBuffer, NO_EDGE } from '../../contacts/contact-buffer.ts';
+import { type ContactBuffer, shareOf } from '../../contacts/contact-buffer.ts';
+import type { RigidMotion } from '../../links/rigid-motion.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
-
-/** Where on an edge a contact lies, 0 at the second particle; 0 also where there is no edge. */
-export function shareOf({ edgeEnd, edgeShare }: ContactBuffer, r: number): number {
-  return edgeEnd[r] === NO_EDGE ? 0 : edgeShare[r];
-}
+import type { ContactRows } from './contact-rows.ts';
 
 /**
  * The speed at which the two of a contact part. Unit: m/s.
@@ -25,27 +22,42 @@ export function partingSpeed(
   return ux * contacts.normalX[r] + uy * contacts.normalY[r];
 }
 
-/** Adds to velocities what an impulse does to the first of a contact, and the opposite to the second. Reads inverseMass. */
+/**
+ * Adds to velocities what an impulse does to the first of a contact, and the opposite to the second. Reads x, y, inverseMass.
+ * @param bodies - The rigid bodies, some of which the two may belong to.
+ */
 export function push(
   contacts: ContactBuffer,
-  second: Int32Array,
+  { second, ofBody }: ContactRows,
+  bodies: RigidMotion | undefined,
   r: number,
   px: number,
   py: number,
-  inverseMass: Float64Array,
+  particles: ParticleArrays,
   vx: Float64Array,
   vy: Float64Array,
 ): void {
+  const { x, y, inverseMass } = particles;
   const i = contacts.a[r];
   const j = second[r];
   const t = shareOf(contacts, r);
-  const wj = inverseMass[j] * (1 - t);
-  vx[i] += px * inverseMass[i];
-  vy[i] += py * inverseMass[i];
-  vx[j] -= px * wj;
-  vy[j] -= py * wj;
-  if (t === 0) return;
-  const k = contacts.edgeEnd[r];
-  vx[k] -= px * inverseMass[k] * t;
-  vy[k] -= py * inverseMass[k] * t;
+  const k = t === 0 ? j : contacts.edgeEnd[r];
+  const hasBody = bodies !== undefined && ofBody[r] === 1;
+  const A = hasBody ? bodies.bodyOf(i) : -1;
+  const B = hasBody ? bodies.bodyOf(j) : -1;
+  if (hasBody && A >= 0) bodies.push(A, px, py, x[i], y[i], particles, vx, vy);
+  else {
+    vx[i] += px * inverseMass[i];
+    vy[i] += py * inverseMass[i];
+  }
+  if (hasBody && B >= 0)
+    bodies.push(B, -px, -py, x[j] + t * (x[k] - x[j]), y[j] + t * (y[k] - y[j]), particles, vx, vy);
+  else {
+    const wj = inverseMass[j] * (1 - t);
+    const wk = inverseMass[k] * t;
+    vx[j] -= px * wj;
+    vy[j] -= py * wj;
+    vx[k] -= px * wk;
+    vy[k] -= py * wk;
+  }
 }

@@ -1,7 +1,6 @@
-import { type ContactBuffer, SCENERY } from '../../contacts/contact-buffer.ts';
+import { type ContactBuffer, SCENERY, shareOf } from '../../contacts/contact-buffer.ts';
 import { growColumns } from '../../math/columns.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
-import { shareOf } from './contact-place.ts';
 
 /** What the solver needs beside the contacts themselves, in the same order. A contact keeps its normal through the step. */
 export class ContactRows {
@@ -15,6 +14,8 @@ export class ContactRows {
   offset: Float64Array = new Float64Array(64);
   /** One over the sum of the inverse masses, on an edge w_a + (1 - t)²·w_b + t²·w_e; 0 where nothing can move. Unit: kg. */
   mass: Float64Array = new Float64Array(64);
+  /** 1 where one of the two belongs to a rigid body: `BodyRows` has these. */
+  ofBody: Uint8Array = new Uint8Array(64);
   /** 1 where the two touched in the step before. */
   lasting: Uint8Array = new Uint8Array(64);
   /** Separating velocity, negative, with which the two hit each other in the step; 0 where they did not. Unit: m/s. */
@@ -43,7 +44,7 @@ export class ContactRows {
    */
   build(contacts: ContactBuffer, { count: slots, x, y, inverseMass }: ParticleArrays, from: number): void {
     const { count, a, b, normalX, normalY, penetration, edgesStart, edgesEnd } = contacts;
-    const { second, offset, mass, lasting, normal } = this;
+    const { second, offset, mass, ofBody, lasting, normal } = this;
     for (let c = from; c < count; c++) {
       const i = a[c];
       const j = b[c] === SCENERY ? slots : b[c];
@@ -51,6 +52,7 @@ export class ContactRows {
       const ny = normalY[c];
       const w = inverseMass[i] + inverseMass[j];
       second[c] = j;
+      ofBody[c] = 0;
       offset[c] = -penetration[c] - (x[i] - x[j]) * nx - (y[i] - y[j]) * ny;
       mass[c] = w === 0 ? 0 : 1 / w;
       if (normal[c] === 0 && penetration[c] < 0) lasting[c] = 0;

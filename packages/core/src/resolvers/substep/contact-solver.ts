@@ -1,11 +1,14 @@
 import type { ContactBuffer } from '../../contacts/contact-buffer.ts';
+import type { RigidMotion } from '../../links/rigid-motion.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 import type { Simulation } from '../../world/simulation.ts';
+import { BodyRows } from './body-rows.ts';
 import { ContactMotion } from './contact-motion.ts';
 import { ContactRange } from './contact-range.ts';
 import { ContactRows } from './contact-rows.ts';
 import { ImpulseMemory } from './impulse-memory.ts';
 import { RIGID, type Softness, softness } from './softness.ts';
+import { solveBodies } from './solve-bodies.ts';
 import { giveBack, keepOut, solveContacts, takeBackPush } from './solve-contacts.ts';
 import { solveEdges } from './solve-edges.ts';
 
@@ -24,6 +27,9 @@ const DAMPING_RATIO = 10;
 /** The contacts of a step, from their discovery to their impulses. */
 export class ContactSolver {
   readonly #rows = new ContactRows();
+  readonly #bodyRows = new BodyRows();
+  /** The rigid bodies of the step. */
+  #bodies: RigidMotion | undefined;
   readonly #memory = new ImpulseMemory();
   readonly #motion = new ContactMotion();
   readonly #range = new ContactRange();
@@ -51,8 +57,9 @@ export class ContactSolver {
    * Makes rows of the contacts. Reads the contacts and particles. Writes the rows.
    * @param dt - Duration of the step. Unit: s.
    * @param h - Duration of a small step. Unit: s.
+   * @param bodies - Rigid bodies that links make.
    */
-  begin(simulation: Simulation, dt: number, h: number): void {
+  begin(simulation: Simulation, dt: number, h: number, bodies: RigidMotion | undefined): void {
     const { x, y } = simulation.gravity;
     this.#resting = Math.sqrt(x * x + y * y) * dt;
     this.#rows.fallX = x * h;
@@ -66,8 +73,9 @@ export class ContactSolver {
     const { contacts, particles, sources } = simulation;
     this.#rows.reserve(contacts.count);
     this.#memory.recall(contacts, this.#rows, sources.links.length, h);
-    this.#rows.build(contacts, particles, 0);
-    this.#motion.begin(contacts, this.#rows, particles);
+    this.#bodies = bodies;
+    this.#makeRows(simulation, 0);
+    this.#motion.begin(contacts, this.#rows, bodies, particles);
   }
 
   /** Looks for more contacts, within the step, if something may go where none were looked for. */
@@ -77,7 +85,22 @@ export class ContactSolver {
     this.find(simulation, rest, true);
     this.#rows.reserve(simulation.contacts.count);
     this.#rows.forget(known);
-    this.#rows.build(simulation.contacts, simulation.particles, known);
+    this.#makeRows(simulation, known);
+  }
+
+  #makeRows({ contacts, particles }: Simulation, from: number): void {
+    this.#rows.build(contacts, particles, from);
+    this.#bodyRows.count = 0;
+    if (this.#bodies === undefined) return;
+    this.#bodyRows.build(contacts, this.#rows, this.#bodies);
+    this.#weigh(contacts, particles);
+  }
+
+  /** Reads the motion of the bodies, and weighs the rows as they stand. */
+  #weigh(contacts: ContactBuffer, particles: ParticleArrays): void {
+    if (this.#bodies === undefined || this.#bodyRows.count === 0) return;
+    this.#bodies.read(particles);
+    this.#bodyRows.weigh(contacts, this.#rows, this.#bodies, particles);
   }
 
   /** Begins a small step with what the contacts did in the last one. Writes vx, vy. */
@@ -102,9 +125,10 @@ export class ContactSolver {
   /** Takes out the speed by which penetrations were undone, then gives back what hits give back. Reads x, y. Writes vx, vy. */
   relax({ contacts, particles }: Simulation): void {
     const rows = this.#rows;
-    takeBackPush(contacts, rows, particles, this.#soft.biasRate);
+    this.#weigh(contacts, particles);
+    takeBackPush(contacts, rows, this.#bodies, particles, this.#soft.biasRate);
     this.#pass(contacts, particles, RIGID, RIGID);
-    giveBack(contacts, rows, particles, this.#resting);
+    giveBack(contacts, rows, this.#bodies, particles, this.#resting);
   }
 
   /** Keeps the impulses for the next step. Reads the contacts. */
@@ -124,6 +148,15 @@ export class ContactSolver {
     solveContacts(contacts, rows, sceneryEnd, edgesStart, particles, soft, h, calm);
     solveContacts(contacts, rows, edgesEnd, count, particles, soft, h, calm);
     solveEdges(contacts, rows, edgesStart, edgesEnd, particles, soft, edgeSoft, h, calm);
+    this.#passBodies(contacts, particles, soft);
     solveContacts(contacts, rows, sceneryStart, sceneryEnd, particles, soft, h, calm);
+  }
+
+  #passBodies(contacts: ContactBuffer, particles: ParticleArrays, soft: Softness): void {
+    const bodies = this.#bodies;
+    if (bodies === undefined || this.#bodyRows.count === 0) return;
+    this.#weigh(contacts, particles);
+    solveBodies(this.#bodyRows, contacts, this.#rows, bodies, particles, soft, this.#h, this.#calm);
+    bodies.write(particles);
   }
 }

@@ -1,5 +1,6 @@
 import type { ContactSources } from '../../contacts/contact-sources.ts';
 import type { Link, LinkSolver } from '../../links/link.ts';
+import type { RigidMotion } from '../../links/rigid-motion.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 import type { ParticleStore } from '../../particles/particle-store.ts';
 
@@ -20,6 +21,11 @@ export class LinkGroups {
       this.#sort(sources.links, particles);
     }
     for (let s = 0; s < this.#list.length; s++) this.#list[s].begin(particles);
+  }
+
+  /** Rigid bodies that links make. */
+  get bodies(): RigidMotion | undefined {
+    return this.#list.find(({ bodies }) => bodies !== undefined)?.bodies;
   }
 
   /** Reads x, y, vx, vy, inverseMass. Writes vx, vy. */

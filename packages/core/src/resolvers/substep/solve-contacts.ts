@@ -1,4 +1,5 @@
 import { type ContactBuffer, SCENERY } from '../../contacts/contact-buffer.ts';
+import type { RigidMotion } from '../../links/rigid-motion.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 import { partingSpeed, push } from './contact-place.ts';
 import type { ContactRows } from './contact-rows.ts';
@@ -29,7 +30,7 @@ export const OVER_RELAXATION = 1.2;
  */
 export function solveContacts(
   { a, normalX, normalY, friction, surfaceSpeed, impulse, tangentImpulse }: ContactBuffer,
-  { second, offset, mass, lasting, closing, normal, tangent, fallX, fallY }: ContactRows,
+  { second, offset, mass, ofBody, lasting, closing, normal, tangent, fallX, fallY }: ContactRows,
   start: number,
   end: number,
   { x, y, vx, vy, inverseMass }: ParticleArrays,
@@ -40,6 +41,7 @@ export function solveContacts(
   const perStep = 1 / h;
   const kept = 1 - impulseScale;
   for (let r = start; r < end; r++) {
+    if (ofBody[r] === 1) continue;
     const i = a[r];
     const j = second[r];
     const nx = normalX[r];
@@ -91,12 +93,14 @@ export function solveContacts(
  */
 export function takeBackPush(
   contacts: ContactBuffer,
-  { second, mass, normal, tangent }: ContactRows,
+  rows: ContactRows,
+  bodies: RigidMotion | undefined,
   particles: ParticleArrays,
   biasRate: number,
 ): void {
   const { count, normalX, normalY, penetration, impulse, tangentImpulse } = contacts;
-  const { vx, vy, inverseMass } = particles;
+  const { second, mass, normal, tangent } = rows;
+  const { vx, vy } = particles;
   for (let r = 0; r < count; r++) {
     impulse[r] -= normal[r];
     tangentImpulse[r] -= tangent[r];
@@ -105,7 +109,7 @@ export function takeBackPush(
     const speed = partingSpeed(contacts, second, particles, r);
     if (speed <= 0) continue;
     const J = mass[r] * Math.min(speed, depth * biasRate, FASTEST_PUSH);
-    push(contacts, second, r, -J * normalX[r], -J * normalY[r], inverseMass, vx, vy);
+    push(contacts, rows, bodies, r, -J * normalX[r], -J * normalY[r], particles, vx, vy);
   }
 }
 
@@ -116,12 +120,14 @@ export function takeBackPush(
  */
 export function giveBack(
   contacts: ContactBuffer,
-  { second, mass, closing }: ContactRows,
+  rows: ContactRows,
+  bodies: RigidMotion | undefined,
   particles: ParticleArrays,
   resting: number,
 ): void {
   const { count, normalX, normalY, restitution, impulse } = contacts;
-  const { vx, vy, inverseMass } = particles;
+  const { second, mass, closing } = rows;
+  const { vx, vy } = particles;
   for (let r = 0; r < count; r++) {
     if (restitution[r] === 0 || closing[r] >= -resting || impulse[r] === 0) continue;
     const speed = partingSpeed(contacts, second, particles, r);
@@ -129,7 +135,7 @@ export function giveBack(
     const J = Math.min(restitution[r] * impulse[r], -mass[r] * (speed + restitution[r] * closing[r]));
     if (J <= 0) continue;
     impulse[r] += J;
-    push(contacts, second, r, J * normalX[r], J * normalY[r], inverseMass, vx, vy);
+    push(contacts, rows, bodies, r, J * normalX[r], J * normalY[r], particles, vx, vy);
   }
 }
 

@@ -100,8 +100,8 @@ class SmallSteps {
     this.#sleep.spread(particles);
     do this.#contacts.find(simulation, dt);
     while (this.#sleep.wakeTouched(contacts, particles));
-    this.#contacts.begin(simulation, dt, h);
     this.#links.begin(sources, particles);
+    this.#contacts.begin(simulation, dt, h, this.#links.bodies);
     this.#held.note(particles);
     for (let k = 0; k < this.#subSteps; k++) {
       if (k > 0) {
