@@ -1,7 +1,5 @@
-import { type ContactBuffer, NO_EDGE } from '../../contacts/contact-buffer.ts';
-import type { RigidMotion } from '../../links/rigid-motion.ts';
+import { type ContactBuffer, shareOf } from '../../contacts/contact-buffer.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
-import { push } from './contact-place.ts';
 import type { ContactRows } from './contact-rows.ts';
 
 /**
@@ -15,30 +13,52 @@ export class ContactMotion {
   #beforeX = new Float64Array(0);
   #beforeY = new Float64Array(0);
 
-  /** Begins with what the rows hold. Reads the contacts, the rows, x, y, inverseMass. */
-  begin(contacts: ContactBuffer, rows: ContactRows, bodies: RigidMotion | undefined, particles: ParticleArrays): void {
-    const { count, inverseMass } = particles;
+  /** Begins with what the rows hold, but for those of rigid bodies. Reads the contacts, the rows, inverseMass. */
+  begin(contacts: ContactBuffer, rows: ContactRows, particles: ParticleArrays): void {
+    const { count } = particles;
     if (this.#vx.length <= count) this.#reserve(count * 2 + 1);
     const vx = this.#vx;
     const vy = this.#vy;
     vx.fill(0, 0, count + 1);
     vy.fill(0, 0, count + 1);
-    const { a, normalX, normalY, edgeEnd } = contacts;
-    const { second, normal, tangent, ofBody } = rows;
+    for (let r = 0; r < rows.count; r++) if (rows.ofBody[r] === 0) this.#add(contacts, rows, r, 1, particles);
+  }
+
+  /** Takes out what hits did, and their impulses: what was no contact before the step does not hit again. Reads inverseMass. */
+  forgetHits(contacts: ContactBuffer, rows: ContactRows, particles: ParticleArrays, resting: number): void {
+    const { closing, lasting, normal, tangent, ofBody } = rows;
     for (let r = 0; r < rows.count; r++) {
-      const px = normal[r] * normalX[r] + tangent[r] * normalY[r];
-      const py = normal[r] * normalY[r] - tangent[r] * normalX[r];
-      if (edgeEnd[r] !== NO_EDGE || ofBody[r] === 1) {
-        if (normal[r] > 0) push(contacts, rows, bodies, r, px, py, particles, vx, vy);
-        continue;
-      }
-      const i = a[r];
-      const j = second[r];
-      vx[i] += px * inverseMass[i];
-      vy[i] += py * inverseMass[i];
-      vx[j] -= px * inverseMass[j];
-      vy[j] -= py * inverseMass[j];
+      if (lasting[r] === 1 || closing[r] >= -resting || normal[r] === 0) continue;
+      if (ofBody[r] === 0) this.#add(contacts, rows, r, -1, particles);
+      normal[r] = tangent[r] = 0;
     }
+  }
+
+  /** Adds what a row does to the motion that is repeated, times a factor. */
+  #add(
+    contacts: ContactBuffer,
+    { second, normal, tangent }: ContactRows,
+    r: number,
+    factor: number,
+    { inverseMass }: ParticleArrays,
+  ): void {
+    const { a, normalX, normalY, edgeEnd } = contacts;
+    const vx = this.#vx;
+    const vy = this.#vy;
+    const px = factor * (normal[r] * normalX[r] + tangent[r] * normalY[r]);
+    const py = factor * (normal[r] * normalY[r] - tangent[r] * normalX[r]);
+    const i = a[r];
+    const j = second[r];
+    const t = shareOf(contacts, r);
+    const wj = inverseMass[j] * (1 - t);
+    vx[i] += px * inverseMass[i];
+    vy[i] += py * inverseMass[i];
+    vx[j] -= px * wj;
+    vy[j] -= py * wj;
+    if (t === 0) return;
+    const k = edgeEnd[r];
+    vx[k] -= px * inverseMass[k] * t;
+    vy[k] -= py * inverseMass[k] * t;
   }
 
   /** v += the change that the contacts made last. Writes vx, vy. */

@@ -8,7 +8,7 @@ import { ContactRange } from './contact-range.ts';
 import { ContactRows } from './contact-rows.ts';
 import { ImpulseMemory } from './impulse-memory.ts';
 import { RIGID, type Softness, softness } from './softness.ts';
-import { solveBodies } from './solve-bodies.ts';
+import { repeatOnBodies, solveBodies } from './solve-bodies.ts';
 import { giveBack, keepOut, solveContacts, takeBackPush } from './solve-contacts.ts';
 import { solveEdges } from './solve-edges.ts';
 
@@ -75,7 +75,7 @@ export class ContactSolver {
     this.#memory.recall(contacts, this.#rows, sources.links.length, h);
     this.#bodies = bodies;
     this.#makeRows(simulation, 0);
-    this.#motion.begin(contacts, this.#rows, bodies, particles);
+    this.#motion.begin(contacts, this.#rows, particles);
   }
 
   /** Looks for more contacts, within the step, if something may go where none were looked for. */
@@ -104,13 +104,16 @@ export class ContactSolver {
   }
 
   /** Begins a small step with what the contacts did in the last one. Writes vx, vy. */
-  repeat(particles: ParticleArrays): void {
-    if (this.#rows.count > 0) this.#motion.repeat(particles);
+  repeat({ contacts, particles }: Simulation, first: boolean): void {
+    if (this.#rows.count === 0) return;
+    if (!first) this.#motion.forgetHits(contacts, this.#rows, particles, this.#resting);
+    this.#motion.repeat(particles);
   }
 
   /** One pass over the contacts. Reads x, y. Writes vx, vy. */
   solve({ contacts, particles }: Simulation): void {
     if (this.#rows.count === 0) return;
+    this.#passBodies(contacts, particles, this.#soft, true);
     this.#motion.note(particles);
     this.#pass(contacts, particles, this.#soft, this.#edgeSoft);
     this.#motion.learn(particles);
@@ -127,8 +130,9 @@ export class ContactSolver {
     const rows = this.#rows;
     this.#weigh(contacts, particles);
     takeBackPush(contacts, rows, this.#bodies, particles, this.#soft.biasRate);
+    this.#passBodies(contacts, particles, RIGID, false);
     this.#pass(contacts, particles, RIGID, RIGID);
-    giveBack(contacts, rows, this.#bodies, particles, this.#resting);
+    for (let r = 0; r < rows.count; r++) giveBack(contacts, rows, r, this.#bodies, particles, this.#resting);
   }
 
   /** Keeps the impulses for the next step. Reads the contacts. */
@@ -148,14 +152,14 @@ export class ContactSolver {
     solveContacts(contacts, rows, sceneryEnd, edgesStart, particles, soft, h, calm);
     solveContacts(contacts, rows, edgesEnd, count, particles, soft, h, calm);
     solveEdges(contacts, rows, edgesStart, edgesEnd, particles, soft, edgeSoft, h, calm);
-    this.#passBodies(contacts, particles, soft);
     solveContacts(contacts, rows, sceneryStart, sceneryEnd, particles, soft, h, calm);
   }
 
-  #passBodies(contacts: ContactBuffer, particles: ParticleArrays, soft: Softness): void {
+  #passBodies(contacts: ContactBuffer, particles: ParticleArrays, soft: Softness, begins: boolean): void {
     const bodies = this.#bodies;
     if (bodies === undefined || this.#bodyRows.count === 0) return;
     this.#weigh(contacts, particles);
+    if (begins) repeatOnBodies(this.#bodyRows, contacts, this.#rows, bodies, particles);
     solveBodies(this.#bodyRows, contacts, this.#rows, bodies, particles, soft, this.#h, this.#calm);
     bodies.write(particles);
   }

@@ -95,3 +95,51 @@ export function solveBodies(
     }
   }
 }
+
+/**
+ * Begins a small step with what the contacts of bodies did in the last one, at the places where they are now. Reads the rows, x, y, inverseMass.
+ * Writes the motion of the bodies, and vx, vy of what belongs to none.
+ */
+export function repeatOnBodies(
+  { count, row, bodyA, bodyB }: BodyRows,
+  contacts: ContactBuffer,
+  { second, normal, tangent }: ContactRows,
+  { x: bodyX, y: bodyY, vx: bodyVx, vy: bodyVy, spin, inverseMass: perMass, inverseInertia }: RigidMotion,
+  { x, y, vx, vy, inverseMass }: ParticleArrays,
+): void {
+  const { a, edgeEnd, normalX, normalY } = contacts;
+  for (let r = 0; r < count; r++) {
+    const c = row[r];
+    if (normal[c] === 0) continue;
+    const A = bodyA[r];
+    const B = bodyB[r];
+    const i = a[c];
+    const j = second[c];
+    const t = shareOf(contacts, c);
+    const k = t === 0 ? j : edgeEnd[c];
+    const px = normal[c] * normalX[c] + tangent[c] * normalY[c];
+    const py = normal[c] * normalY[c] - tangent[c] * normalX[c];
+    if (A < 0) {
+      vx[i] += px * inverseMass[i];
+      vy[i] += py * inverseMass[i];
+    } else {
+      bodyVx[A] += px * perMass[A];
+      bodyVy[A] += py * perMass[A];
+      spin[A] += ((x[i] - bodyX[A]) * py - (y[i] - bodyY[A]) * px) * inverseInertia[A];
+    }
+    if (B < 0) {
+      const wj = inverseMass[j] * (1 - t);
+      const wk = inverseMass[k] * t;
+      vx[j] -= px * wj;
+      vy[j] -= py * wj;
+      vx[k] -= px * wk;
+      vy[k] -= py * wk;
+    } else {
+      const ex = x[j] + t * (x[k] - x[j]) - bodyX[B];
+      const ey = y[j] + t * (y[k] - y[j]) - bodyY[B];
+      bodyVx[B] -= px * perMass[B];
+      bodyVy[B] -= py * perMass[B];
+      spin[B] -= (ex * py - ey * px) * inverseInertia[B];
+    }
+  }
+}

@@ -110,7 +110,7 @@ class SmallSteps {
       }
       forces.apply(h, time + k * h);
       accelerateAll(particles, gravity, h);
-      this.#contacts.repeat(particles);
+      this.#contacts.repeat(simulation, k === 0);
       this.#links.solve(particles, h);
       this.#contacts.solve(simulation);
       if (!move(particles, h)) return false;
