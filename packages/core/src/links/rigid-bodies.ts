@@ -7,6 +7,11 @@ import { connectedParts, type RigidShape, rigidShape } from './rigid-shape.ts';
 /** How far a body may turn in a small step: the sine. What spins faster is slowed to it. */
 const FASTEST_TURN = 0.9;
 
+/** What turns farther might gain energy, since places between which it moves in straight lines are farther apart than they look. */
+const WIDE_TURN = 0.2;
+/** As a share, how much it may. */
+const MOST_GAIN = 0.01;
+
 /**
  * Keeps what rods hold in one shape by moving it as one: a place, an angle and their velocities are all that it has. That is direct, whatever
  * the number of rods, and takes no energy from a body that turns freely: the step is what the rods would do (SHAKE, J.-P. Ryckaert
@@ -169,7 +174,8 @@ export class RigidBodies implements RigidMotion {
     const { x, y, vx, vy } = particles;
     for (let b = 0; b < this.#awake.length; b++) {
       if (this.#awake[b] === 0) continue;
-      const turn = Math.max(-FASTEST_TURN, Math.min(FASTEST_TURN, h * this.spin[b]));
+      let turn = h * this.spin[b];
+      if (Math.abs(turn) > WIDE_TURN) turn = this.#limitTurn(b, turn, particles, h);
       const across = turn / h;
       const inwards = (turn * turn) / ((1 + Math.sqrt(1 - turn * turn)) * h);
       for (let k = this.#first[b]; k < this.#first[b + 1]; k++) {
@@ -180,6 +186,20 @@ export class RigidBodies implements RigidMotion {
         vy[s] = this.vy[b] + across * dx - inwards * dy;
       }
     }
+  }
+
+  /** Limits the sine of a turn, so that it holds hardly more energy than the members had. Reads vx, vy. */
+  #limitTurn(b: number, turn: number, { vx, vy }: ParticleArrays, h: number): number {
+    let energy = 0;
+    for (let k = this.#first[b]; k < this.#first[b + 1]; k++) {
+      const ux = vx[this.#slot[k]] - this.vx[b];
+      const uy = vy[this.#slot[k]] - this.vy[b];
+      energy += this.#mass[k] * (ux * ux + uy * uy);
+    }
+    // That of a turn by φ within h is I·(1 - cos φ) / h².
+    const versine = Math.min(1, (0.5 + 0.5 * MOST_GAIN) * energy * this.inverseInertia[b] * h * h);
+    const most = Math.min(FASTEST_TURN, Math.sqrt(versine * (2 - versine)));
+    return Math.max(-most, Math.min(most, turn));
   }
 
   /** Brings the members back into shape by position alone. Writes x, y. */
