@@ -1,138 +1,195 @@
+import { growColumns } from '../math/columns.ts';
+
 /** Each level takes discs of up to twice the reach of those below. */
 const LEVELS = 40;
 
+/** Buckets from one row of cells to the next: far from 0, and so is its double, by the size of any table. */
+const ROW = 0x85ebca77;
+
 /**
- * Finds discs that are near each other: a grid for each size of disc, all hashed into one table. A disc lies in a cell of its own
- * level, twice as wide as the widest reach there, and is compared with the discs of the cells around it, there and on each higher
+ * Finds discs that are near each other: a grid for each size of disc, each hashed into a table of its own. A disc lies in a cell of its
+ * own level, twice as wide as the widest reach there, and is compared with the discs of the cells around it, there and on each higher
  * level: so the smaller of two finds the pair, and a boulder among grains costs no more than what it touches.
  * (M. Eitz, L. Gu: Hierarchical Spatial Hashing for Real-time Collision Detection, 2007.)
+ *
+ * The cells of a row lie side by side in the table, and the discs in its order in memory: three cells are one walk. What else the
+ * hash puts there is too far off; and as rows lie apart in the table, no pair is met twice.
  */
 export class NeighbourGrid {
   /** The pairs found last, lower slot first. */
   a: Int32Array = new Int32Array(64);
   b: Int32Array = new Int32Array(64);
   pairCount = 0;
-  /** Where each bucket begins among the entries, and the discs by bucket. */
-  #first = new Int32Array(2);
-  #entries = new Int32Array(0);
-  #bucket = new Int32Array(0);
-  #cellX = new Int32Array(0);
-  #cellY = new Int32Array(0);
-  #level = new Uint8Array(0);
-  /** Width of the cells of each level; 0 where the level is empty. */
+  /** Where each bucket begins among the entries, level by level. The first two buckets of a level stand again after its last. */
+  #first = new Int32Array(0);
+  /** The discs by bucket. */
+  readonly #entries = {
+    slot: new Int32Array(0),
+    x: new Float64Array(0),
+    y: new Float64Array(0),
+    reach: new Float64Array(0),
+  };
+  readonly #discs = { bucket: new Int32Array(0), level: new Uint8Array(0) };
+  /** Of each level: the width of its cells, 0 where it is empty; where its buckets begin, and the mask of its table. */
   readonly #width = new Float64Array(LEVELS);
-  #levelCount = 0;
+  readonly #start = new Int32Array(LEVELS);
+  readonly #mask = new Int32Array(LEVELS);
+  readonly #population = new Int32Array(LEVELS);
 
   /**
    * Finds each pair that is closer than the sum of their reaches. Writes the pairs, in no order of use.
    * @param reach - How far each disc reaches; 0 leaves it out. Unit: m.
    */
   findPairs(count: number, x: Float64Array, y: Float64Array, reach: Float64Array): void {
-    const mask = this.#sort(count, x, y, reach);
-    const first = this.#first;
-    const entries = this.#entries;
-    const cellX = this.#cellX;
-    const cellY = this.#cellY;
-    const levels = this.#level;
-    const width = this.#width;
-    const levelCount = this.#levelCount;
+    if (this.#discs.bucket.length < count) growColumns(this.#discs, count * 2);
+    this.#assignLevels(count, reach);
+    this.#sort(count, x, y, reach);
     this.pairCount = 0;
-    for (let i = 0; i < count; i++) {
-      if (reach[i] === 0) continue;
-      for (let level = levels[i]; level < levelCount; level++) {
-        if (width[level] === 0) continue;
-        const same = level === levels[i];
-        const cx = Math.floor(x[i] / width[level]);
-        const cy = Math.floor(y[i] / width[level]);
-        for (let cell = same ? 4 : 0; cell < 9; cell++) {
-          const column = cx + (cell % 3) - 1;
-          const row = cy + ((cell / 3) | 0) - 1;
-          const bucket = hash(column, row, level, mask);
-          for (let e = first[bucket]; e < first[bucket + 1]; e++) {
-            const j = entries[e];
-            if (cellX[j] !== column || cellY[j] !== row || levels[j] !== level || (same && cell === 4 && j <= i))
-              continue;
-            const dx = x[i] - x[j];
-            const dy = y[i] - y[j];
-            const near = reach[i] + reach[j];
-            if (dx * dx + dy * dy < near * near) this.#add(i, j);
-          }
-        }
+    for (let level = 0; level < LEVELS; level++) {
+      if (this.#population[level] === 0) continue;
+      this.#pairWithin(level);
+      for (let above = level + 1; above < LEVELS; above++) {
+        if (this.#population[above] > 0) this.#pairWithHigher(level, above);
       }
     }
   }
 
-  #add(i: number, j: number): void {
-    if (this.pairCount === this.a.length) {
-      this.a = grown(this.a);
-      this.b = grown(this.b);
+  /** Pairs of one level: each disc with those that follow it in its own cell, with the next cell, and with three of the next row. */
+  #pairWithin(level: number): void {
+    const first = this.#first;
+    const start = this.#start[level];
+    const mask = this.#mask[level];
+    for (let bucket = 0; bucket <= mask; bucket++) {
+      const end = first[start + bucket + 1];
+      const next = first[start + bucket + 2];
+      const row = start + ((bucket + ROW - 1) & mask);
+      for (let e = first[start + bucket]; e < end; e++) {
+        this.#compare(e, e + 1, next);
+        this.#compare(e, first[row], first[row + 3]);
+      }
     }
-    this.a[this.pairCount] = Math.min(i, j);
-    this.b[this.pairCount++] = Math.max(i, j);
   }
 
-  /** Sorts the discs into the buckets, by counting. Returns the mask of the table. */
-  #sort(count: number, x: Float64Array, y: Float64Array, reach: Float64Array): number {
-    const mask = this.#reserve(count);
-    this.#assignLevels(count, reach);
+  /** Pairs of two levels: each disc of the lower with the nine cells around it on the higher. */
+  #pairWithHigher(level: number, above: number): void {
     const first = this.#first;
-    first.fill(0, 0, mask + 2);
+    const { x, y } = this.#entries;
+    const width = this.#width[above];
+    const start = this.#start[above];
+    const mask = this.#mask[above];
+    const end = first[this.#start[level] + this.#mask[level] + 1];
+    for (let e = first[this.#start[level]]; e < end; e++) {
+      const column = Math.floor(x[e] / width);
+      const row = Math.floor(y[e] / width);
+      for (let r = row - 1; r <= row + 1; r++) {
+        const bucket = start + hash(column - 1, r, mask);
+        this.#compare(e, first[bucket], first[bucket + 3]);
+      }
+    }
+  }
+
+  /** Compares a disc with some that lie side by side. Writes pairs. */
+  #compare(e: number, from: number, to: number): void {
+    const { slot, x, y, reach } = this.#entries;
+    if (this.pairCount + to - from > this.a.length) this.#grow(this.pairCount + to - from);
+    const { a, b } = this;
+    const i = slot[e];
+    const atX = x[e];
+    const atY = y[e];
+    const own = reach[e];
+    let count = this.pairCount;
+    for (let f = from; f < to; f++) {
+      const dx = atX - x[f];
+      const dy = atY - y[f];
+      const near = own + reach[f];
+      if (dx * dx + dy * dy >= near * near) continue;
+      const j = slot[f];
+      a[count] = Math.min(i, j);
+      b[count++] = Math.max(i, j);
+    }
+    this.pairCount = count;
+  }
+
+  #grow(count: number): void {
+    this.a = grown(this.a, count * 2);
+    this.b = grown(this.b, count * 2);
+  }
+
+  /** Sorts the discs into the buckets, by counting. */
+  #sort(count: number, x: Float64Array, y: Float64Array, reach: Float64Array): void {
+    const buckets = this.#layOut();
+    const first = this.#first;
+    const entries = this.#entries;
+    const { bucket, level } = this.#discs;
+    first.fill(0, 0, buckets + 1);
     for (let i = 0; i < count; i++) {
       if (reach[i] === 0) continue;
-      const level = this.#level[i];
-      const column = Math.floor(x[i] / this.#width[level]);
-      const row = Math.floor(y[i] / this.#width[level]);
-      this.#cellX[i] = column;
-      this.#cellY[i] = row;
-      this.#bucket[i] = hash(column, row, level, mask);
-      first[this.#bucket[i]]++;
+      const width = this.#width[level[i]];
+      const own = hash(Math.floor(x[i] / width), Math.floor(y[i] / width), this.#mask[level[i]]);
+      bucket[i] = this.#start[level[i]] + own;
+      first[bucket[i]]++;
+      if (own < 2) first[bucket[i] + this.#mask[level[i]] + 1]++;
     }
-    for (let b = 0, sum = 0; b <= mask + 1; b++) {
-      sum += first[b];
-      first[b] = sum;
+    let sum = 0;
+    for (let k = 0; k <= buckets; k++) {
+      sum += first[k];
+      first[k] = sum;
     }
-    for (let i = count - 1; i >= 0; i--) if (reach[i] !== 0) this.#entries[--first[this.#bucket[i]]] = i;
-    return mask;
+    if (entries.slot.length < sum) growColumns(entries, sum * 2);
+    const { slot, x: ex, y: ey, reach: er } = entries;
+    for (let i = count - 1; i >= 0; i--) {
+      if (reach[i] === 0) continue;
+      const size = this.#mask[level[i]] + 1;
+      const again = bucket[i] < this.#start[level[i]] + 2;
+      for (let k = bucket[i]; k <= bucket[i] + (again ? size : 0); k += size) {
+        const e = --first[k];
+        slot[e] = i;
+        ex[e] = x[i];
+        ey[e] = y[i];
+        er[e] = reach[i];
+      }
+    }
   }
 
-  /** Puts each disc on the level of its reach. Writes levels and the widths of their cells. */
+  /** Puts each disc on the level of its reach. Writes levels, the widths of their cells, and how many discs they have. */
   #assignLevels(count: number, reach: Float64Array): void {
+    const { level: levels } = this.#discs;
     let least = Infinity;
     for (let i = 0; i < count; i++) if (reach[i] !== 0 && reach[i] < least) least = reach[i];
     this.#width.fill(0);
-    this.#levelCount = 0;
+    this.#population.fill(0);
     for (let i = 0; i < count; i++) {
       if (reach[i] === 0) continue;
       let level = 0;
       for (let top = least * 2; reach[i] >= top && level < LEVELS - 1; top *= 2) level++;
-      this.#level[i] = level;
-      if (level >= this.#levelCount) this.#levelCount = level + 1;
-      if (reach[i] * 2 > this.#width[level]) this.#width[level] = reach[i] * 2;
+      levels[i] = level;
+      this.#population[level]++;
+      this.#width[level] = Math.max(this.#width[level], reach[i] * 2);
     }
   }
 
-  /** Makes room. Returns the mask of the table, whose size is a power of two. */
-  #reserve(count: number): number {
-    let buckets = 64;
-    while (buckets < count * 2) buckets *= 2;
-    if (this.#first.length < buckets + 1) this.#first = new Int32Array(buckets + 1);
-    if (this.#entries.length < count) {
-      this.#entries = new Int32Array(count * 2);
-      this.#bucket = new Int32Array(count * 2);
-      this.#cellX = new Int32Array(count * 2);
-      this.#cellY = new Int32Array(count * 2);
-      this.#level = new Uint8Array(count * 2);
+  /** Gives each level a table, whose size is a power of two. Returns how many buckets there are in all. */
+  #layOut(): number {
+    let buckets = 0;
+    for (let level = 0; level < LEVELS; level++) {
+      if (this.#population[level] === 0) continue;
+      let size = 64;
+      while (size < this.#population[level] * 2) size *= 2;
+      this.#start[level] = buckets;
+      this.#mask[level] = size - 1;
+      buckets += size + 2;
     }
-    return buckets - 1;
+    if (this.#first.length <= buckets) this.#first = new Int32Array(buckets * 2);
+    return buckets;
   }
 }
 
-function hash(column: number, row: number, level: number, mask: number): number {
-  return (column + Math.imul(row, 0x85ebca77) + Math.imul(level, 0x27d4eb2f)) & mask;
+function hash(column: number, row: number, mask: number): number {
+  return (column + Math.imul(row, ROW)) & mask;
 }
 
-function grown(from: Int32Array): Int32Array {
-  const to = new Int32Array(from.length * 2);
+function grown(from: Int32Array, capacity: number): Int32Array {
+  const to = new Int32Array(capacity);
   to.set(from);
   return to;
 }

@@ -16,6 +16,9 @@ export class NeighbourList {
   other: Int32Array = new Int32Array(0);
   /** How far each disc reaches in the coming step: its radius, a little more, and its way. Unit: m. */
   reach: Float64Array = new Float64Array(0);
+  /** The lower slots of the pairs by the higher: those of j are `lower[firstLower[j]]` to `lower[firstLower[j + 1] - 1]`. */
+  #lower = new Int32Array(0);
+  #firstLower = new Int32Array(1);
   readonly #grid = new NeighbourGrid();
   /** Where each disc was when the list was made, and how far it might reach from there. Unit: m. */
   #x = new Float64Array(0);
@@ -65,40 +68,53 @@ export class NeighbourList {
     this.#sort(count, contacts);
   }
 
-  /** Sorts the pairs of the grid by both slots, without those that a link holds. */
+  /** Sorts the pairs of the grid by both slots, first by the higher, then by the lower; without those that a link holds. */
   #sort(count: number, contacts: ContactBuffer): void {
-    const { a, b, pairCount } = this.#grid;
-    const { first } = this;
-    if (this.other.length < pairCount) this.other = new Int32Array(pairCount * 2);
-    const { other } = this;
-    first.fill(0, 0, count + 1);
-    for (let p = 0; p < pairCount; p++) {
-      if (contacts.areLinked(a[p], b[p])) a[p] = -1;
-      else first[a[p]]++;
+    const { a, b } = this.#grid;
+    const pairs = this.#dropLinked(contacts);
+    if (this.other.length < pairs) {
+      this.other = new Int32Array(pairs * 2);
+      this.#lower = new Int32Array(pairs * 2);
     }
-    for (let i = 0, sum = 0; i <= count; i++) {
+    const { first, other } = this;
+    const lower = this.#lower;
+    const higher = this.#firstLower;
+    first.fill(0, 0, count + 1);
+    higher.fill(0, 0, count + 1);
+    for (let p = 0; p < pairs; p++) {
+      first[a[p]]++;
+      higher[b[p]]++;
+    }
+    for (let i = 0, sum = 0, sumHigher = 0; i <= count; i++) {
       sum += first[i];
       first[i] = sum;
+      sumHigher += higher[i];
+      higher[i] = sumHigher;
     }
-    for (let p = 0; p < pairCount; p++) if (a[p] >= 0) other[--first[a[p]]] = b[p];
-    for (let i = 0; i < count; i++) sortFew(other, first[i], first[i + 1]);
+    for (let p = 0; p < pairs; p++) lower[--higher[b[p]]] = a[p];
+    for (let j = count - 1; j >= 0; j--) {
+      for (let k = higher[j]; k < higher[j + 1]; k++) other[--first[lower[k]]] = j;
+    }
+  }
+
+  /** Takes the pairs that a link holds out of those of the grid. Returns how many are left. */
+  #dropLinked(contacts: ContactBuffer): number {
+    const { a, b, pairCount } = this.#grid;
+    let count = 0;
+    for (let p = 0; p < pairCount; p++) {
+      if (contacts.areLinked(a[p], b[p])) continue;
+      a[count] = a[p];
+      b[count++] = b[p];
+    }
+    return count;
   }
 
   #reserve(count: number): void {
     this.first = new Int32Array(count + 1);
+    this.#firstLower = new Int32Array(count + 1);
     this.reach = new Float64Array(count);
     this.#x = new Float64Array(count);
     this.#y = new Float64Array(count);
     this.#allowed = new Float64Array(count).fill(-Infinity);
-  }
-}
-
-/** Sorts a few numbers in place, by insertion. */
-function sortFew(list: Int32Array, start: number, end: number): void {
-  for (let k = start + 1; k < end; k++) {
-    const value = list[k];
-    let place = k;
-    for (; place > start && list[place - 1] > value; place--) list[place] = list[place - 1];
-    list[place] = value;
   }
 }
