@@ -46,17 +46,16 @@ export class DiscContacts implements ContactGenerator {
     const { count, x, y, vx, vy, radius, inverseMass, restitution, friction, sensor } = particles;
     const { lookAhead, margin } = contacts;
     const room = contacts.reserve(this.#neighbours.update(particles, contacts));
-    const { first, other, reach } = this.#neighbours;
+    const { first, other, x: midX, y: midY, reach } = this.#neighbours;
     const { a, b, normalX, normalY, penetration } = contacts;
     let c = contacts.count;
     for (let i = 0; i < count; i++) {
       for (let n = first[i]; n < first[i + 1]; n++) {
         const j = other[n];
-        const dx = x[i] - x[j];
-        const dy = y[i] - y[j];
+        const apartX = midX[i] - midX[j];
+        const apartY = midY[i] - midY[j];
         const near = reach[i] + reach[j];
-        const square = dx * dx + dy * dy;
-        if (square >= near * near) continue;
+        if (apartX * apartX + apartY * apartY >= near * near) continue;
         if (inverseMass[i] + inverseMass[j] === 0 && !wakes(particles, i, j)) continue;
         if (!mayTouch(particles, i, j) || this.#filter?.(i, j) === false) continue;
         if (sensor[i] + sensor[j] > 0) {
@@ -64,7 +63,9 @@ export class DiscContacts implements ContactGenerator {
           continue;
         }
         const sum = radius[i] + radius[j];
-        let distance = Math.sqrt(square);
+        const dx = x[i] - x[j];
+        const dy = y[i] - y[j];
+        let distance = Math.sqrt(dx * dx + dy * dy);
         // Concentric discs define no direction: any will do.
         let nx = distance === 0 ? 0 : dx / distance;
         let ny = distance === 0 ? 1 : dy / distance;

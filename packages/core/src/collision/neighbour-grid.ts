@@ -16,7 +16,7 @@ const ROW = 0x85ebca77;
  * hash puts there is too far off; and as rows lie apart in the table, no pair is met twice.
  */
 export class NeighbourGrid {
-  /** The pairs found last, lower slot first. */
+  /** The pairs found last. */
   a: Int32Array = new Int32Array(64);
   b: Int32Array = new Int32Array(64);
   pairCount = 0;
@@ -60,10 +60,13 @@ export class NeighbourGrid {
     const start = this.#start[level];
     const mask = this.#mask[level];
     for (let bucket = 0; bucket <= mask; bucket++) {
+      const begin = first[start + bucket];
       const end = first[start + bucket + 1];
+      if (begin === end) continue;
       const next = first[start + bucket + 2];
       const row = start + ((bucket + ROW - 1) & mask);
-      for (let e = first[start + bucket]; e < end; e++) {
+      this.#reserve((end - begin) * (next - begin + first[row + 3] - first[row]));
+      for (let e = begin; e < end; e++) {
         this.#compare(e, e + 1, next);
         this.#compare(e, first[row], first[row + 3]);
       }
@@ -83,16 +86,16 @@ export class NeighbourGrid {
       const row = Math.floor(y[e] / width);
       for (let r = row - 1; r <= row + 1; r++) {
         const bucket = start + hash(column - 1, r, mask);
+        this.#reserve(first[bucket + 3] - first[bucket]);
         this.#compare(e, first[bucket], first[bucket + 3]);
       }
     }
   }
 
-  /** Compares a disc with some that lie side by side. Writes pairs. */
+  /** Compares a disc with some that lie side by side. Writes pairs, each of which is written over unless it is near: no branch to miss. */
   #compare(e: number, from: number, to: number): void {
-    const { slot, x, y, reach } = this.#entries;
-    if (this.pairCount + to - from > this.a.length) this.#grow(this.pairCount + to - from);
     const { a, b } = this;
+    const { slot, x, y, reach } = this.#entries;
     const i = slot[e];
     const atX = x[e];
     const atY = y[e];
@@ -102,17 +105,19 @@ export class NeighbourGrid {
       const dx = atX - x[f];
       const dy = atY - y[f];
       const near = own + reach[f];
-      if (dx * dx + dy * dy >= near * near) continue;
-      const j = slot[f];
-      a[count] = Math.min(i, j);
-      b[count++] = Math.max(i, j);
+      a[count] = i;
+      b[count] = slot[f];
+      count += Number(dx * dx + dy * dy < near * near);
     }
     this.pairCount = count;
   }
 
-  #grow(count: number): void {
-    this.a = grown(this.a, count * 2);
-    this.b = grown(this.b, count * 2);
+  /** Makes room for more pairs. */
+  #reserve(more: number): void {
+    const wanted = this.pairCount + more;
+    if (wanted <= this.a.length) return;
+    this.a = grown(this.a, wanted * 2);
+    this.b = grown(this.b, wanted * 2);
   }
 
   /** Sorts the discs into the buckets, by counting. */

@@ -14,13 +14,15 @@ const SKIN = 0.15;
 export class NeighbourList {
   first: Int32Array = new Int32Array(1);
   other: Int32Array = new Int32Array(0);
-  /** How far each disc reaches in the coming step: its radius, a little more, and its way. Unit: m. */
+  /** The middle of each disc's way in the coming step, and how far it reaches from there: half the way, its radius, a little more. Unit: m. */
+  x: Float64Array = new Float64Array(0);
+  y: Float64Array = new Float64Array(0);
   reach: Float64Array = new Float64Array(0);
   /** The lower slots of the pairs by the higher: those of j are `lower[firstLower[j]]` to `lower[firstLower[j + 1] - 1]`. */
   #lower = new Int32Array(0);
   #firstLower = new Int32Array(1);
   readonly #grid = new NeighbourGrid();
-  /** Where each disc was when the list was made, and how far it might reach from there. Unit: m. */
+  /** The same when the list was made, with the skin. Unit: m. */
   #x = new Float64Array(0);
   #y = new Float64Array(0);
   #allowed = new Float64Array(0);
@@ -42,27 +44,32 @@ export class NeighbourList {
 
   /** Finds how far each disc reaches. Returns whether each stays within what it was allowed when the list was made. */
   #reachOut({ count, x, y, vx, vy, radius }: ParticleArrays, { lookAhead, margin }: ContactBuffer): boolean {
-    const { reach } = this;
+    const { x: midX, y: midY, reach } = this;
     const bx = this.#x;
     const by = this.#y;
     const allowed = this.#allowed;
+    const half = lookAhead / 2;
     let within = true;
     for (let i = 0; i < count; i++) {
       const r = radius[i];
-      const way = (Math.abs(vx[i]) + Math.abs(vy[i])) * lookAhead;
-      reach[i] = r === 0 ? 0 : r * (1 + EARLY_SHARE) + margin + way;
-      if (Math.abs(x[i] - bx[i]) + Math.abs(y[i] - by[i]) + reach[i] > allowed[i]) within = false;
+      const wayX = vx[i] * half;
+      const wayY = vy[i] * half;
+      midX[i] = x[i] + wayX;
+      midY[i] = y[i] + wayY;
+      reach[i] = r === 0 ? 0 : r * (1 + EARLY_SHARE) + margin + Math.sqrt(wayX * wayX + wayY * wayY);
+      if (Math.abs(midX[i] - bx[i]) + Math.abs(midY[i] - by[i]) + reach[i] > allowed[i]) within = false;
     }
     return within;
   }
 
   #rebuild(particles: ParticleArrays, contacts: ContactBuffer): void {
-    const { count, x, y, radius } = particles;
+    const { count, radius } = particles;
+    const { x, y, reach } = this;
     const allowed = this.#allowed;
     for (let i = 0; i < count; i++) {
       this.#x[i] = x[i];
       this.#y[i] = y[i];
-      allowed[i] = this.reach[i] + SKIN * radius[i];
+      allowed[i] = reach[i] === 0 ? 0 : reach[i] + SKIN * radius[i];
     }
     this.#grid.findPairs(count, x, y, allowed);
     this.#sort(count, contacts);
@@ -97,14 +104,16 @@ export class NeighbourList {
     }
   }
 
-  /** Takes the pairs that a link holds out of those of the grid. Returns how many are left. */
+  /** Puts the lower slot of each pair of the grid first, and takes those that a link holds out. Returns how many are left. */
   #dropLinked(contacts: ContactBuffer): number {
     const { a, b, pairCount } = this.#grid;
     let count = 0;
     for (let p = 0; p < pairCount; p++) {
       if (contacts.areLinked(a[p], b[p])) continue;
-      a[count] = a[p];
-      b[count++] = b[p];
+      const i = a[p];
+      const j = b[p];
+      a[count] = Math.min(i, j);
+      b[count++] = Math.max(i, j);
     }
     return count;
   }
@@ -112,6 +121,8 @@ export class NeighbourList {
   #reserve(count: number): void {
     this.first = new Int32Array(count + 1);
     this.#firstLower = new Int32Array(count + 1);
+    this.x = new Float64Array(count);
+    this.y = new Float64Array(count);
     this.reach = new Float64Array(count);
     this.#x = new Float64Array(count);
     this.#y = new Float64Array(count);
