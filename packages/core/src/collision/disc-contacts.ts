@@ -46,7 +46,8 @@ export class DiscContacts implements ContactGenerator {
     const { count, x, y, vx, vy, radius, inverseMass, restitution, friction, sensor } = particles;
     const { lookAhead, margin } = contacts;
     const room = contacts.reserve(this.#neighbours.update(particles, contacts));
-    const { first, other, x: midX, y: midY, reach } = this.#neighbours;
+    const { x: midX, y: midY, reach } = this.#neighbours.now;
+    const { first, other } = this.#neighbours.rows;
     const { a, b, normalX, normalY, penetration } = contacts;
     let c = contacts.count;
     for (let i = 0; i < count; i++) {

@@ -1,4 +1,5 @@
 import { growColumns } from '../math/columns.ts';
+import type { PairBuffer } from './pair-buffer.ts';
 
 /** Each level takes discs of up to twice the reach of those below. */
 const LEVELS = 40;
@@ -16,10 +17,6 @@ const ROW = 0x85ebca77;
  * hash puts there is too far off; and as rows lie apart in the table, no pair is met twice.
  */
 export class NeighbourGrid {
-  /** The pairs found last. */
-  a: Int32Array = new Int32Array(64);
-  b: Int32Array = new Int32Array(64);
-  pairCount = 0;
   /** Where each bucket begins among the entries, level by level. The first two buckets of a level stand again after its last. */
   #first = new Int32Array(0);
   /** The discs by bucket. */
@@ -37,26 +34,26 @@ export class NeighbourGrid {
   readonly #population = new Int32Array(LEVELS);
 
   /**
-   * Finds each pair that is closer than the sum of their reaches. Writes the pairs, in no order of use.
+   * Takes discs, and finds each pair that is closer than the sum of their reaches. Adds the pairs, in no order of use.
    * @param reach - How far each disc reaches; 0 leaves it out. Unit: m.
    */
-  findPairs(count: number, x: Float64Array, y: Float64Array, reach: Float64Array): void {
+  findPairs(count: number, x: Float64Array, y: Float64Array, reach: Float64Array, pairs: PairBuffer): void {
     if (this.#discs.bucket.length < count) growColumns(this.#discs, count * 2);
     this.#assignLevels(count, reach);
     this.#sort(count, x, y, reach);
-    this.pairCount = 0;
     for (let level = 0; level < LEVELS; level++) {
       if (this.#population[level] === 0) continue;
-      this.#pairWithin(level);
+      this.#pairWithin(level, pairs);
       for (let above = level + 1; above < LEVELS; above++) {
-        if (this.#population[above] > 0) this.#pairWithHigher(level, above);
+        if (this.#population[above] > 0) this.#pairWithHigher(level, above, pairs);
       }
     }
   }
 
   /** Pairs of one level: each disc with those that follow it in its own cell, with the next cell, and with three of the next row. */
-  #pairWithin(level: number): void {
+  #pairWithin(level: number, pairs: PairBuffer): void {
     const first = this.#first;
+    const { slot, x, y, reach } = this.#entries;
     const start = this.#start[level];
     const mask = this.#mask[level];
     for (let bucket = 0; bucket <= mask; bucket++) {
@@ -65,18 +62,18 @@ export class NeighbourGrid {
       if (begin === end) continue;
       const next = first[start + bucket + 2];
       const row = start + ((bucket + ROW - 1) & mask);
-      this.#reserve((end - begin) * (next - begin + first[row + 3] - first[row]));
+      pairs.reserve((end - begin) * (next - begin + first[row + 3] - first[row]));
       for (let e = begin; e < end; e++) {
-        this.#compare(e, e + 1, next);
-        this.#compare(e, first[row], first[row + 3]);
+        this.#compare(slot[e], x[e], y[e], reach[e], e + 1, next, pairs);
+        this.#compare(slot[e], x[e], y[e], reach[e], first[row], first[row + 3], pairs);
       }
     }
   }
 
   /** Pairs of two levels: each disc of the lower with the nine cells around it on the higher. */
-  #pairWithHigher(level: number, above: number): void {
+  #pairWithHigher(level: number, above: number, pairs: PairBuffer): void {
     const first = this.#first;
-    const { x, y } = this.#entries;
+    const { slot, x, y, reach } = this.#entries;
     const width = this.#width[above];
     const start = this.#start[above];
     const mask = this.#mask[above];
@@ -86,21 +83,51 @@ export class NeighbourGrid {
       const row = Math.floor(y[e] / width);
       for (let r = row - 1; r <= row + 1; r++) {
         const bucket = start + hash(column - 1, r, mask);
-        this.#reserve(first[bucket + 3] - first[bucket]);
-        this.#compare(e, first[bucket], first[bucket + 3]);
+        pairs.reserve(first[bucket + 3] - first[bucket]);
+        this.#compare(slot[e], x[e], y[e], reach[e], first[bucket], first[bucket + 3], pairs);
       }
     }
   }
 
-  /** Compares a disc with some that lie side by side. Writes pairs, each of which is written over unless it is near: no branch to miss. */
-  #compare(e: number, from: number, to: number): void {
-    const { a, b } = this;
+  /**
+   * Finds who of the discs taken last is closer to another than the sum of their reaches. Adds pairs; some may be there twice.
+   * @param i - Slot of the other.
+   * @returns How much was to do: cells and comparisons.
+   */
+  findAround(i: number, x: number, y: number, reach: number, pairs: PairBuffer): number {
+    const first = this.#first;
+    let work = 0;
+    for (let level = 0; level < LEVELS; level++) {
+      if (this.#population[level] === 0) continue;
+      const width = this.#width[level];
+      const start = this.#start[level];
+      const mask = this.#mask[level];
+      const far = reach + width / 2;
+      const firstColumn = Math.floor((x - far) / width);
+      const columns = Math.floor((x + far) / width) - firstColumn + 1;
+      const firstRow = Math.floor((y - far) / width);
+      const rows = Math.floor((y + far) / width) - firstRow + 1;
+      // Of more cells than the table has, all stand there.
+      const all = columns * rows > mask;
+      for (let row = 0; row < (all ? 1 : rows); row++) {
+        for (let column = 0; column < (all ? 1 : columns); column += 3) {
+          const bucket = start + hash(firstColumn + column, firstRow + row, mask);
+          const from = first[all ? start : bucket];
+          const to = first[all ? start + mask + 1 : bucket + 3];
+          pairs.reserve(to - from);
+          this.#compare(i, x, y, reach, from, to, pairs);
+          work += to - from + 1;
+        }
+      }
+    }
+    return work;
+  }
+
+  /** Compares a disc with some that lie side by side. Adds pairs, each of which is written over unless it is near: no branch to miss. */
+  #compare(i: number, atX: number, atY: number, own: number, from: number, to: number, pairs: PairBuffer): void {
     const { slot, x, y, reach } = this.#entries;
-    const i = slot[e];
-    const atX = x[e];
-    const atY = y[e];
-    const own = reach[e];
-    let count = this.pairCount;
+    const { a, b } = pairs;
+    let { count } = pairs;
     for (let f = from; f < to; f++) {
       const dx = atX - x[f];
       const dy = atY - y[f];
@@ -109,15 +136,7 @@ export class NeighbourGrid {
       b[count] = slot[f];
       count += Number(dx * dx + dy * dy < near * near);
     }
-    this.pairCount = count;
-  }
-
-  /** Makes room for more pairs. */
-  #reserve(more: number): void {
-    const wanted = this.pairCount + more;
-    if (wanted <= this.a.length) return;
-    this.a = grown(this.a, wanted * 2);
-    this.b = grown(this.b, wanted * 2);
+    pairs.count = count;
   }
 
   /** Sorts the discs into the buckets, by counting. */
@@ -191,10 +210,4 @@ export class NeighbourGrid {
 
 function hash(column: number, row: number, mask: number): number {
   return (column + Math.imul(row, ROW)) & mask;
-}
-
-function grown(from: Int32Array, capacity: number): Int32Array {
-  const to = new Int32Array(capacity);
-  to.set(from);
-  return to;
 }

@@ -1,131 +1,153 @@
 import type { ContactBuffer } from '../contacts/contact-buffer.ts';
+import { growColumns } from '../math/columns.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import { NeighbourGrid } from './neighbour-grid.ts';
+import { PairBuffer } from './pair-buffer.ts';
+import { PairRows } from './pair-rows.ts';
 import { EARLY_SHARE } from './shape-contacts.ts';
 
-/** How far a disc may go before its neighbours are looked for again, as a share of its radius. */
+/** How far a disc may go before it is loose, as a share of its radius. */
 const SKIN = 0.15;
 
+/** The list is made anew when more than this share of the discs are loose, */
+const MOST_LOOSE = 1 / 8;
+/** or when they must be compared with more than so many, for each disc that there is. */
+const MOST_COMPARED = 8;
+
 /**
- * Pairs of discs that may touch in the coming step, kept from step to step until one has gone farther than its skin
- * (L. Verlet: Computer "Experiments" on Classical Fluids, 1967). They are sorted by slot: those of slot i are `other[first[i]]`
- * to `other[first[i + 1] - 1]`, all higher than i.
+ * Pairs of discs that may touch in the coming step, kept from step to step (L. Verlet: Computer "Experiments" on Classical Fluids,
+ * 1967). Discs that have gone farther than their skins are loose: their neighbours are found anew in each step, until there are so many
+ * that the whole list is.
  */
 export class NeighbourList {
-  first: Int32Array = new Int32Array(1);
-  other: Int32Array = new Int32Array(0);
+  /** The pairs of the coming step. */
+  rows: PairRows = new PairRows();
   /** The middle of each disc's way in the coming step, and how far it reaches from there: half the way, its radius, a little more. Unit: m. */
-  x: Float64Array = new Float64Array(0);
-  y: Float64Array = new Float64Array(0);
-  reach: Float64Array = new Float64Array(0);
-  /** The lower slots of the pairs by the higher: those of j are `lower[firstLower[j]]` to `lower[firstLower[j + 1] - 1]`. */
-  #lower = new Int32Array(0);
-  #firstLower = new Int32Array(1);
+  readonly now: Circles = circles();
+  /** The same when the list was made, with the skin. */
+  readonly #listed = circles();
   readonly #grid = new NeighbourGrid();
-  /** The same when the list was made, with the skin. Unit: m. */
-  #x = new Float64Array(0);
-  #y = new Float64Array(0);
-  #allowed = new Float64Array(0);
+  readonly #list = new PairRows();
+  /** The loose discs among themselves: which they are, and where. */
+  readonly #loose = { slot: new Int32Array(0), ...circles() };
+  /** 1 for the loose, by slot. */
+  readonly #isLoose = { flag: new Uint8Array(0) };
+  readonly #looseGrid = new NeighbourGrid();
+  readonly #looseRows = new PairRows();
+  readonly #merged = new PairRows();
+  readonly #found = new PairBuffer();
   #version = -1;
   #linkVersion = -1;
 
-  /** Brings the list up to date. Reads x, y, vx, vy, radius. Writes the list. Returns how many pairs it has. */
+  /** Brings the pairs up to date. Reads x, y, vx, vy, radius. Writes the pairs. Returns how many there are. */
   update(particles: ParticleArrays, contacts: ContactBuffer): number {
     const { count, version } = particles;
-    if (this.reach.length < count) this.#reserve(count * 2);
+    if (this.now.x.length < count) this.#reserve(count * 2);
     const old = version !== this.#version || contacts.linkVersion !== this.#linkVersion;
-    if (!this.#reachOut(particles, contacts) || old) {
+    const loose = this.#reachOut(particles, contacts);
+    if (old || !this.#follow(loose, count, contacts)) {
       this.#rebuild(particles, contacts);
       this.#version = version;
       this.#linkVersion = contacts.linkVersion;
     }
-    return this.first[count];
+    return this.rows.first[count];
   }
 
-  /** Finds how far each disc reaches. Returns whether each stays within what it was allowed when the list was made. */
-  #reachOut({ count, x, y, vx, vy, radius }: ParticleArrays, { lookAhead, margin }: ContactBuffer): boolean {
-    const { x: midX, y: midY, reach } = this;
-    const bx = this.#x;
-    const by = this.#y;
-    const allowed = this.#allowed;
+  /** Finds how far each disc reaches, and which are loose: those that reach out of where they were listed. Returns how many. */
+  #reachOut({ count, x, y, vx, vy, radius }: ParticleArrays, { lookAhead, margin }: ContactBuffer): number {
+    const { x: nowX, y: nowY, reach } = this.now;
+    const { x: listedX, y: listedY, reach: listedReach } = this.#listed;
+    const { slot } = this.#loose;
+    const { flag } = this.#isLoose;
     const half = lookAhead / 2;
-    let within = true;
+    let loose = 0;
     for (let i = 0; i < count; i++) {
       const r = radius[i];
       const wayX = vx[i] * half;
       const wayY = vy[i] * half;
-      midX[i] = x[i] + wayX;
-      midY[i] = y[i] + wayY;
+      nowX[i] = x[i] + wayX;
+      nowY[i] = y[i] + wayY;
       reach[i] = r === 0 ? 0 : r * (1 + EARLY_SHARE) + margin + Math.sqrt(wayX * wayX + wayY * wayY);
-      if (Math.abs(midX[i] - bx[i]) + Math.abs(midY[i] - by[i]) + reach[i] > allowed[i]) within = false;
+      const gone = Math.abs(nowX[i] - listedX[i]) + Math.abs(nowY[i] - listedY[i]);
+      flag[i] = Number(r === 0 ? listedReach[i] > 0 : gone + reach[i] > listedReach[i]);
+      slot[loose] = i;
+      loose += flag[i];
     }
-    return within;
+    return loose;
   }
 
-  #rebuild(particles: ParticleArrays, contacts: ContactBuffer): void {
-    const { count, radius } = particles;
-    const { x, y, reach } = this;
-    const allowed = this.#allowed;
+  /** Finds the neighbours of the loose discs, and writes the pairs, unless that is too much to do. Returns whether it was not. */
+  #follow(loose: number, count: number, contacts: ContactBuffer): boolean {
+    this.rows = loose === 0 ? this.#list : this.#merged;
+    if (loose === 0) return true;
+    if (loose > count * MOST_LOOSE) return false;
+    const { slot, x, y, reach } = this.#loose;
+    const { now } = this;
+    const found = this.#found;
+    for (let k = 0; k < loose; k++) {
+      x[k] = now.x[slot[k]];
+      y[k] = now.y[slot[k]];
+      reach[k] = now.reach[slot[k]];
+    }
+    found.count = 0;
+    this.#looseGrid.findPairs(loose, x, y, reach, found);
+    for (let p = 0; p < found.count; p++) {
+      found.a[p] = slot[found.a[p]];
+      found.b[p] = slot[found.b[p]];
+    }
+    let compared = 0;
+    for (let k = 0; k < loose && compared <= count * MOST_COMPARED; k++) {
+      if (reach[k] > 0) compared += this.#grid.findAround(slot[k], x[k], y[k], reach[k], found);
+    }
+    if (compared > count * MOST_COMPARED) return false;
+    dropLinked(found, contacts);
+    this.#looseRows.sort(count, found);
+    this.#merged.merge(count, this.#list, this.#isLoose.flag, this.#looseRows);
+    return true;
+  }
+
+  #rebuild({ count, radius }: ParticleArrays, contacts: ContactBuffer): void {
+    const { x, y, reach } = this.now;
+    const { x: listedX, y: listedY, reach: listedReach } = this.#listed;
+    const found = this.#found;
     for (let i = 0; i < count; i++) {
-      this.#x[i] = x[i];
-      this.#y[i] = y[i];
-      allowed[i] = reach[i] === 0 ? 0 : reach[i] + SKIN * radius[i];
+      listedX[i] = x[i];
+      listedY[i] = y[i];
+      listedReach[i] = reach[i] === 0 ? 0 : reach[i] + SKIN * radius[i];
     }
-    this.#grid.findPairs(count, x, y, allowed);
-    this.#sort(count, contacts);
-  }
-
-  /** Sorts the pairs of the grid by both slots, first by the higher, then by the lower; without those that a link holds. */
-  #sort(count: number, contacts: ContactBuffer): void {
-    const { a, b } = this.#grid;
-    const pairs = this.#dropLinked(contacts);
-    if (this.other.length < pairs) {
-      this.other = new Int32Array(pairs * 2);
-      this.#lower = new Int32Array(pairs * 2);
-    }
-    const { first, other } = this;
-    const lower = this.#lower;
-    const higher = this.#firstLower;
-    first.fill(0, 0, count + 1);
-    higher.fill(0, 0, count + 1);
-    for (let p = 0; p < pairs; p++) {
-      first[a[p]]++;
-      higher[b[p]]++;
-    }
-    for (let i = 0, sum = 0, sumHigher = 0; i <= count; i++) {
-      sum += first[i];
-      first[i] = sum;
-      sumHigher += higher[i];
-      higher[i] = sumHigher;
-    }
-    for (let p = 0; p < pairs; p++) lower[--higher[b[p]]] = a[p];
-    for (let j = count - 1; j >= 0; j--) {
-      for (let k = higher[j]; k < higher[j + 1]; k++) other[--first[lower[k]]] = j;
-    }
-  }
-
-  /** Puts the lower slot of each pair of the grid first, and takes those that a link holds out. Returns how many are left. */
-  #dropLinked(contacts: ContactBuffer): number {
-    const { a, b, pairCount } = this.#grid;
-    let count = 0;
-    for (let p = 0; p < pairCount; p++) {
-      if (contacts.areLinked(a[p], b[p])) continue;
-      const i = a[p];
-      const j = b[p];
-      a[count] = Math.min(i, j);
-      b[count++] = Math.max(i, j);
-    }
-    return count;
+    found.count = 0;
+    this.#grid.findPairs(count, listedX, listedY, listedReach, found);
+    dropLinked(found, contacts);
+    this.#list.sort(count, found);
+    this.rows = this.#list;
   }
 
   #reserve(count: number): void {
-    this.first = new Int32Array(count + 1);
-    this.#firstLower = new Int32Array(count + 1);
-    this.x = new Float64Array(count);
-    this.y = new Float64Array(count);
-    this.reach = new Float64Array(count);
-    this.#x = new Float64Array(count);
-    this.#y = new Float64Array(count);
-    this.#allowed = new Float64Array(count).fill(-Infinity);
+    for (const table of [this.now, this.#listed, this.#loose, this.#isLoose]) growColumns(table, count);
   }
+}
+
+/** Where discs are and how far they reach. Unit: m. */
+interface Circles {
+  readonly x: Float64Array;
+  readonly y: Float64Array;
+  readonly reach: Float64Array;
+}
+
+function circles(): Circles {
+  return { x: new Float64Array(0), y: new Float64Array(0), reach: new Float64Array(0) };
+}
+
+/** Puts the lower slot of each pair first, and takes out those that a link holds. */
+function dropLinked(pairs: PairBuffer, contacts: ContactBuffer): void {
+  const { a, b } = pairs;
+  let count = 0;
+  for (let p = 0; p < pairs.count; p++) {
+    const i = a[p];
+    const j = b[p];
+    if (i === j || contacts.areLinked(i, j)) continue;
+    a[count] = Math.min(i, j);
+    b[count++] = Math.max(i, j);
+  }
+  pairs.count = count;
 }
