@@ -143,52 +143,56 @@ export class NeighbourGrid {
   #sort(count: number, x: Float64Array, y: Float64Array, reach: Float64Array): void {
     const buckets = this.#layOut();
     const first = this.#first;
-    const entries = this.#entries;
-    const { bucket, level } = this.#discs;
+    const width = this.#width;
+    const start = this.#start;
+    const mask = this.#mask;
+    const { bucket, level: levels } = this.#discs;
     first.fill(0, 0, buckets + 1);
     for (let i = 0; i < count; i++) {
       if (reach[i] === 0) continue;
-      const width = this.#width[level[i]];
-      const own = hash(Math.floor(x[i] / width), Math.floor(y[i] / width), this.#mask[level[i]]);
-      bucket[i] = this.#start[level[i]] + own;
+      const level = levels[i];
+      const own = hash(Math.floor(x[i] / width[level]), Math.floor(y[i] / width[level]), mask[level]);
+      bucket[i] = start[level] + own;
       first[bucket[i]]++;
-      if (own < 2) first[bucket[i] + this.#mask[level[i]] + 1]++;
+      if (own < 2) first[bucket[i] + mask[level] + 1]++;
     }
     let sum = 0;
     for (let k = 0; k <= buckets; k++) {
       sum += first[k];
       first[k] = sum;
     }
-    if (entries.slot.length < sum) growColumns(entries, sum * 2);
-    const { slot, x: ex, y: ey, reach: er } = entries;
+    if (this.#entries.slot.length < sum) growColumns(this.#entries, sum * 2);
     for (let i = count - 1; i >= 0; i--) {
       if (reach[i] === 0) continue;
-      const size = this.#mask[level[i]] + 1;
-      const again = bucket[i] < this.#start[level[i]] + 2;
-      for (let k = bucket[i]; k <= bucket[i] + (again ? size : 0); k += size) {
-        const e = --first[k];
-        slot[e] = i;
-        ex[e] = x[i];
-        ey[e] = y[i];
-        er[e] = reach[i];
-      }
+      const k = bucket[i];
+      this.#enter(--first[k], i, x[i], y[i], reach[i]);
+      const level = levels[i];
+      if (k < start[level] + 2) this.#enter(--first[k + mask[level] + 1], i, x[i], y[i], reach[i]);
     }
+  }
+
+  #enter(e: number, i: number, x: number, y: number, reach: number): void {
+    const entries = this.#entries;
+    entries.slot[e] = i;
+    entries.x[e] = x;
+    entries.y[e] = y;
+    entries.reach[e] = reach;
   }
 
   /** Puts each disc on the level of its reach. Writes levels, the widths of their cells, and how many discs they have. */
   #assignLevels(count: number, reach: Float64Array): void {
-    const { level: levels } = this.#discs;
+    const levels = this.#discs.level;
     let least = Infinity;
     for (let i = 0; i < count; i++) if (reach[i] !== 0 && reach[i] < least) least = reach[i];
-    this.#width.fill(0);
-    this.#population.fill(0);
+    const width = this.#width.fill(0);
+    const population = this.#population.fill(0);
     for (let i = 0; i < count; i++) {
       if (reach[i] === 0) continue;
       let level = 0;
       for (let top = least * 2; reach[i] >= top && level < LEVELS - 1; top *= 2) level++;
       levels[i] = level;
-      this.#population[level]++;
-      this.#width[level] = Math.max(this.#width[level], reach[i] * 2);
+      population[level]++;
+      if (reach[i] * 2 > width[level]) width[level] = reach[i] * 2;
     }
   }
 
