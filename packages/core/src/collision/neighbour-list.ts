@@ -7,7 +7,7 @@ import { PairRows } from './pair-rows.ts';
 import { EARLY_SHARE } from './shape-contacts.ts';
 
 /** How far a disc may go before it is loose, as a share of its radius. */
-const SKIN = 0.15;
+const SKIN = 0.3;
 
 /** The list is made anew when more than this share of the discs are loose, */
 const MOST_LOOSE = 1 / 8;
