@@ -43,63 +43,86 @@ export class DiscContacts implements ContactGenerator {
    * or will within the time that the contacts look ahead.
    */
   addContacts(particles: ParticleArrays, contacts: ContactBuffer): void {
-    const { count, x, y, vx, vy, radius, inverseMass, restitution, friction, sensor } = particles;
+    const { x, y, vx, vy, radius, inverseMass, sensor } = particles;
     const { lookAhead, margin } = contacts;
-    const room = contacts.reserve(this.#neighbours.update(particles, contacts));
-    const { x: midX, y: midY, reach } = this.#neighbours.now;
-    const { first, other } = this.#neighbours.rows;
+    this.#neighbours.update(particles, contacts);
+    const room = contacts.reserve(this.#neighbours.pairs.count);
+    const end = this.#findNear(contacts);
     const { a, b, normalX, normalY, penetration } = contacts;
     let c = contacts.count;
-    for (let i = 0; i < count; i++) {
-      for (let n = first[i]; n < first[i + 1]; n++) {
-        const j = other[n];
-        const apartX = midX[i] - midX[j];
-        const apartY = midY[i] - midY[j];
-        const near = reach[i] + reach[j];
-        if (apartX * apartX + apartY * apartY >= near * near) continue;
-        if (inverseMass[i] + inverseMass[j] === 0 && !wakes(particles, i, j)) continue;
-        if (!mayTouch(particles, i, j) || this.#filter?.(i, j) === false) continue;
-        if (sensor[i] + sensor[j] > 0) {
-          tellSensor(particles, contacts, i, j);
-          continue;
-        }
-        const sum = radius[i] + radius[j];
-        const dx = x[i] - x[j];
-        const dy = y[i] - y[j];
-        let distance = Math.sqrt(dx * dx + dy * dy);
-        // Concentric discs define no direction: any will do.
-        let nx = distance === 0 ? 0 : dx / distance;
-        let ny = distance === 0 ? 1 : dy / distance;
-        if (distance >= sum * (1 + EARLY_SHARE) + margin) {
-          const ux = (vx[i] - vx[j]) * lookAhead;
-          const uy = (vy[i] - vy[j]) * lookAhead;
-          if (ux * ux + uy * uy > sum * sum * FAST_SHARE * FAST_SHARE) {
-            // Fast: the normal is that of the place where they will touch; those that pass by do not.
-            const share = timeOfTouch(dx, dy, ux, uy, sum + margin);
-            if (!(share <= 1)) continue;
-            const tx = dx + ux * share;
-            const ty = dy + uy * share;
-            const length = Math.sqrt(tx * tx + ty * ty);
-            nx = tx / length;
-            ny = ty / length;
-            distance = dx * nx + dy * ny;
-          } else if (distance + ux * nx + uy * ny >= sum + margin) continue;
-        }
-        if (c === room) {
-          contacts.leftOut++;
-          continue;
-        }
-        a[c] = i;
-        b[c] = j;
-        normalX[c] = nx;
-        normalY[c] = ny;
-        penetration[c] = sum - distance;
-        contacts.restitution[c] = Math.max(restitution[i], restitution[j]);
-        contacts.friction[c] = friction[i] === friction[j] ? friction[i] : Math.sqrt(friction[i] * friction[j]);
-        c++;
+    for (let n = c; n < end; n++) {
+      const i = a[n];
+      const j = b[n];
+      if (inverseMass[i] + inverseMass[j] === 0 && !wakes(particles, i, j)) continue;
+      if (!mayTouch(particles, i, j) || this.#filter?.(i, j) === false) continue;
+      if (sensor[i] + sensor[j] > 0) {
+        tellSensor(particles, contacts, i, j);
+        continue;
       }
+      const sum = radius[i] + radius[j];
+      const dx = x[i] - x[j];
+      const dy = y[i] - y[j];
+      let distance = Math.sqrt(dx * dx + dy * dy);
+      // Concentric discs define no direction: any will do.
+      let nx = distance === 0 ? 0 : dx / distance;
+      let ny = distance === 0 ? 1 : dy / distance;
+      if (distance >= sum * (1 + EARLY_SHARE) + margin) {
+        const ux = (vx[i] - vx[j]) * lookAhead;
+        const uy = (vy[i] - vy[j]) * lookAhead;
+        if (ux * ux + uy * uy > sum * sum * FAST_SHARE * FAST_SHARE) {
+          // Fast: the normal is that of the place where they will touch; those that pass by do not.
+          const share = timeOfTouch(dx, dy, ux, uy, sum + margin);
+          if (!(share <= 1)) continue;
+          const tx = dx + ux * share;
+          const ty = dy + uy * share;
+          const length = Math.sqrt(tx * tx + ty * ty);
+          nx = tx / length;
+          ny = ty / length;
+          distance = dx * nx + dy * ny;
+        } else if (distance + ux * nx + uy * ny >= sum + margin) continue;
+      }
+      if (c === room) {
+        contacts.leftOut++;
+        continue;
+      }
+      a[c] = i;
+      b[c] = j;
+      normalX[c] = nx;
+      normalY[c] = ny;
+      penetration[c++] = sum - distance;
     }
+    mixSurfaces(particles, contacts, c);
     contacts.finish(c);
+  }
+
+  /** Writes the pairs that reach each other to where the contacts will be, each written over unless it does. Returns where they end. */
+  #findNear(contacts: ContactBuffer): number {
+    const { a: first, b: second, count } = this.#neighbours.pairs;
+    const { x, y, reach } = this.#neighbours.now;
+    const { a, b } = contacts;
+    let end = contacts.count;
+    for (let p = 0; p < count; p++) {
+      const i = first[p];
+      const j = second[p];
+      const dx = x[i] - x[j];
+      const dy = y[i] - y[j];
+      const near = reach[i] + reach[j];
+      a[end] = i;
+      b[end] = j;
+      end += Number(dx * dx + dy * dy < near * near);
+    }
+    return end;
+  }
+}
+
+/** What the surfaces of two are together, for the contacts after those that are finished. Reads restitution, friction. Writes the contacts. */
+function mixSurfaces({ restitution, friction }: ParticleArrays, contacts: ContactBuffer, end: number): void {
+  const { a, b, count, restitution: bounce, friction: grip } = contacts;
+  for (let c = count; c < end; c++) {
+    const i = a[c];
+    const j = b[c];
+    bounce[c] = Math.max(restitution[i], restitution[j]);
+    grip[c] = friction[i] === friction[j] ? friction[i] : Math.sqrt(friction[i] * friction[j]);
   }
 }
 

@@ -3,91 +3,92 @@ import { growColumns } from '../math/columns.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import { NeighbourGrid } from './neighbour-grid.ts';
 import { PairBuffer } from './pair-buffer.ts';
-import { PairRows } from './pair-rows.ts';
 import { EARLY_SHARE } from './shape-contacts.ts';
+import { SortedPairs } from './sorted-pairs.ts';
 
-/** How far a disc may go before it is loose, as a share of its radius. */
+/** How far a disc may go before its neighbours are looked for again, as a share of its radius. */
 const SKIN = 0.3;
 
-/** The list is made anew when more than this share of the discs are loose, */
+/** The whole list is made anew when more than this share of the discs are loose, */
 const MOST_LOOSE = 1 / 8;
 /** or when they must be compared with more than so many, for each disc that there is. */
 const MOST_COMPARED = 8;
 
 /**
- * Pairs of discs that may touch in the coming step, kept from step to step (L. Verlet: Computer "Experiments" on Classical Fluids,
- * 1967). Discs that have gone farther than their skins are loose: their neighbours are found anew in each step, until there are so many
- * that the whole list is.
+ * Pairs of discs that may touch in the coming step, kept from step to step until one has gone farther than its skin (L. Verlet: Computer
+ * "Experiments" on Classical Fluids, 1967). From then on it is loose: only its neighbours are found again, until so many are loose
+ * that the whole list is made anew.
  */
 export class NeighbourList {
   /** The pairs of the coming step. */
-  rows: PairRows = new PairRows();
+  pairs: SortedPairs = new SortedPairs();
   /** The middle of each disc's way in the coming step, and how far it reaches from there: half the way, its radius, a little more. Unit: m. */
   readonly now: Circles = circles();
-  /** The same when the list was made, with the skin. */
+  /** The same when its neighbours were looked for, with the skin. */
   readonly #listed = circles();
   readonly #grid = new NeighbourGrid();
-  readonly #list = new PairRows();
-  /** The loose discs among themselves: which they are, and where. */
-  readonly #loose = { slot: new Int32Array(0), ...circles() };
-  /** 1 for the loose, by slot. */
-  readonly #isLoose = { flag: new Uint8Array(0) };
+  readonly #list = new SortedPairs();
+  /** The loose discs: which they are, where they are listed, and a flag, 1 for the loose, by slot. */
+  readonly #loose = { slot: new Int32Array(0), flag: new Uint8Array(0), ...circles() };
+  #looseCount = 0;
   readonly #looseGrid = new NeighbourGrid();
-  readonly #looseRows = new PairRows();
-  readonly #merged = new PairRows();
+  readonly #loosePairs = new SortedPairs();
+  readonly #merged = new SortedPairs();
   readonly #found = new PairBuffer();
   #version = -1;
   #linkVersion = -1;
 
-  /** Brings the pairs up to date. Reads x, y, vx, vy, radius. Writes the pairs. Returns how many there are. */
-  update(particles: ParticleArrays, contacts: ContactBuffer): number {
+  /** Brings the pairs up to date. Reads x, y, vx, vy, radius. Writes the pairs. */
+  update(particles: ParticleArrays, contacts: ContactBuffer): void {
     const { count, version } = particles;
     if (this.now.x.length < count) this.#reserve(count * 2);
     const old = version !== this.#version || contacts.linkVersion !== this.#linkVersion;
-    const loose = this.#reachOut(particles, contacts);
-    if (old || !this.#follow(loose, count, contacts)) {
+    const within = this.#reachOut(particles, contacts);
+    if (old || !(within || this.#follow(count, contacts))) {
       this.#rebuild(particles, contacts);
       this.#version = version;
       this.#linkVersion = contacts.linkVersion;
     }
-    return this.rows.first[count];
   }
 
-  /** Finds how far each disc reaches, and which are loose: those that reach out of where they were listed. Returns how many. */
-  #reachOut({ count, x, y, vx, vy, radius }: ParticleArrays, { lookAhead, margin }: ContactBuffer): number {
+  /** Finds how far each disc reaches. Lists those anew that have left their skins: they are loose. Returns whether there are none. */
+  #reachOut({ count, x, y, vx, vy, radius }: ParticleArrays, { lookAhead, margin }: ContactBuffer): boolean {
     const { x: nowX, y: nowY, reach } = this.now;
     const { x: listedX, y: listedY, reach: listedReach } = this.#listed;
-    const { slot } = this.#loose;
-    const { flag } = this.#isLoose;
+    const { slot, flag } = this.#loose;
     const half = lookAhead / 2;
-    let loose = 0;
+    let within = true;
     for (let i = 0; i < count; i++) {
       const r = radius[i];
       const wayX = vx[i] * half;
       const wayY = vy[i] * half;
       nowX[i] = x[i] + wayX;
       nowY[i] = y[i] + wayY;
-      reach[i] = r === 0 ? 0 : r * (1 + EARLY_SHARE) + margin + Math.sqrt(wayX * wayX + wayY * wayY);
+      reach[i] = r === 0 ? 0 : r * (1 + EARLY_SHARE) + margin + Math.abs(wayX) + Math.abs(wayY);
       const gone = Math.abs(nowX[i] - listedX[i]) + Math.abs(nowY[i] - listedY[i]);
-      flag[i] = Number(r === 0 ? listedReach[i] > 0 : gone + reach[i] > listedReach[i]);
-      slot[loose] = i;
-      loose += flag[i];
+      if (r === 0 ? listedReach[i] === 0 : gone + reach[i] <= listedReach[i]) continue;
+      within = false;
+      listedX[i] = nowX[i];
+      listedY[i] = nowY[i];
+      listedReach[i] = reach[i] + SKIN * r;
+      if (flag[i] === 0) slot[this.#looseCount++] = i;
+      flag[i] = 1;
     }
-    return loose;
+    return within;
   }
 
   /** Finds the neighbours of the loose discs, and writes the pairs, unless that is too much to do. Returns whether it was not. */
-  #follow(loose: number, count: number, contacts: ContactBuffer): boolean {
-    this.rows = loose === 0 ? this.#list : this.#merged;
-    if (loose === 0) return true;
+  #follow(count: number, contacts: ContactBuffer): boolean {
+    const loose = this.#looseCount;
+    const most = count * MOST_COMPARED;
     if (loose > count * MOST_LOOSE) return false;
     const { slot, x, y, reach } = this.#loose;
-    const { now } = this;
+    const listed = this.#listed;
     const found = this.#found;
     for (let k = 0; k < loose; k++) {
-      x[k] = now.x[slot[k]];
-      y[k] = now.y[slot[k]];
-      reach[k] = now.reach[slot[k]];
+      x[k] = listed.x[slot[k]];
+      y[k] = listed.y[slot[k]];
+      reach[k] = listed.reach[slot[k]];
     }
     found.count = 0;
     this.#looseGrid.findPairs(loose, x, y, reach, found);
@@ -96,13 +97,14 @@ export class NeighbourList {
       found.b[p] = slot[found.b[p]];
     }
     let compared = 0;
-    for (let k = 0; k < loose && compared <= count * MOST_COMPARED; k++) {
+    for (let k = 0; k < loose && compared <= most; k++) {
       if (reach[k] > 0) compared += this.#grid.findAround(slot[k], x[k], y[k], reach[k], found);
     }
-    if (compared > count * MOST_COMPARED) return false;
+    if (compared > most) return false;
     dropLinked(found, contacts);
-    this.#looseRows.sort(count, found);
-    this.#merged.merge(count, this.#list, this.#isLoose.flag, this.#looseRows);
+    this.#loosePairs.sort(count, found);
+    this.#merged.merge(this.#list, this.#loose.flag, this.#loosePairs);
+    this.pairs = this.#merged;
     return true;
   }
 
@@ -115,15 +117,17 @@ export class NeighbourList {
       listedY[i] = y[i];
       listedReach[i] = reach[i] === 0 ? 0 : reach[i] + SKIN * radius[i];
     }
+    this.#loose.flag.fill(0, 0, count);
+    this.#looseCount = 0;
     found.count = 0;
     this.#grid.findPairs(count, listedX, listedY, listedReach, found);
     dropLinked(found, contacts);
     this.#list.sort(count, found);
-    this.rows = this.#list;
+    this.pairs = this.#list;
   }
 
   #reserve(count: number): void {
-    for (const table of [this.now, this.#listed, this.#loose, this.#isLoose]) growColumns(table, count);
+    for (const table of [this.now, this.#listed, this.#loose]) growColumns(table, count);
   }
 }
 
