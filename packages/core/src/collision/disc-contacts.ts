@@ -99,7 +99,7 @@ export class DiscContacts implements ContactGenerator {
   #findNear(contacts: ContactBuffer): number {
     const { a: first, b: second, count } = this.#neighbours.pairs;
     const { x, y, reach } = this.#neighbours.now;
-    const { a, b } = contacts;
+    const { a, b, only } = contacts;
     let end = contacts.count;
     for (let p = 0; p < count; p++) {
       const i = first[p];
@@ -107,6 +107,7 @@ export class DiscContacts implements ContactGenerator {
       const dx = x[i] - x[j];
       const dy = y[i] - y[j];
       const near = reach[i] + reach[j];
+      if (only !== undefined && only.bySlot[i] + only.bySlot[j] === 0) continue;
       a[end] = i;
       b[end] = j;
       end += Number(dx * dx + dy * dy < near * near);

@@ -63,7 +63,7 @@ export class ShapeContacts implements SurfaceReport {
     sensorsAlone = false,
   ): void {
     const { count, x, y, vx, vy, radius, inverseMass, asleep } = particles;
-    const { lookAhead, margin } = contacts;
+    const { lookAhead, margin, only } = contacts;
     if (shapes.length === 0) return;
     this.#prepare(shapes, count, contacts);
     this.#way.begin(shapes, firstSource, particles, contacts);
@@ -71,6 +71,7 @@ export class ShapeContacts implements SurfaceReport {
     const lookY = this.#y;
     const free = this.#free;
     for (let i = 0; i < count; i++) {
+      if (only !== undefined && only.bySlot[i] === 0) continue;
       const gone = Math.abs(x[i] - lookX[i]) + Math.abs(y[i] - lookY[i]);
       const way = (Math.abs(vx[i]) + Math.abs(vy[i])) * lookAhead + margin;
       const reach = radius[i] * (1 + EARLY_SHARE) + way + POINT_RADIUS;

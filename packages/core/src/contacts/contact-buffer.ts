@@ -12,6 +12,11 @@ export const SCENERY = -1;
 /** The end of the edge of a contact whose second is no edge. */
 export const NO_EDGE = -1;
 
+/** Some particles: 1 for these, 0 for all others. */
+export interface SomeSlots {
+  readonly bySlot: Uint8Array;
+}
+
 /** The contacts of one step as typed arrays, in the order in which they were found. It grows; nothing is dropped. */
 export class ContactBuffer implements Contacts, ContactArrays {
   count = 0;
@@ -48,6 +53,8 @@ export class ContactBuffer implements Contacts, ContactArrays {
   margin = 0;
   /** Whether the resolver knows contacts with edges: without, none are looked for. */
   takesEdges = true;
+  /** Where it is given, the contacts that there are stay, and more are wanted of these particles alone. */
+  only: SomeSlots | undefined;
   /** Grows whenever the linked pairs change. */
   linkVersion = 0;
   /** Written to the contacts that are added: who finds them. */

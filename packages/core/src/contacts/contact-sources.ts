@@ -79,13 +79,13 @@ export class ContactSources {
   /**
    * Finds the contacts of this moment, and those that the buffer looks ahead to. Reads the particles. Writes the contacts.
    * @param without - Leaves out the links that have a solver of their own.
-   * @param further - Keeps the contacts that there are, and adds those that are not among them.
    */
-  gather(contacts: ContactBuffer, dt: number, without = false, further = false): void {
+  gather(contacts: ContactBuffer, dt: number, without = false): void {
     const store = this.#store;
     const { links } = this;
     const shapes = this.shapes.list;
     const generators = this.generators.list;
+    const further = contacts.only !== undefined;
     const known = further ? contacts.count : 0;
     if (!further) contacts.clear(store.count, this.linkedPairs());
     contacts.linkVersion = this.linkVersion;

@@ -1,4 +1,4 @@
-import type { ContactBuffer } from '../../contacts/contact-buffer.ts';
+import type { ContactBuffer, SomeSlots } from '../../contacts/contact-buffer.ts';
 import { growColumns } from '../../math/columns.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 
@@ -16,14 +16,16 @@ export class ContactRange {
     wayX: new Float64Array(64),
     wayY: new Float64Array(64),
   };
+  readonly #left = { bySlot: new Uint8Array(64) };
   #margin = 0;
 
-  /** Reads x, y, vx, vy. */
-  note({ count, x, y, vx, vy }: ParticleArrays, { lookAhead, margin }: ContactBuffer): void {
-    if (this.#seen.x.length < count) growColumns(this.#seen, count * 2);
+  /** Notes where contacts are looked for now. Reads x, y, vx, vy. */
+  note({ count, x, y, vx, vy }: ParticleArrays, { lookAhead, margin, only }: ContactBuffer): void {
+    if (this.#seen.x.length < count) for (const table of [this.#seen, this.#left]) growColumns(table, count * 2);
     const seen = this.#seen;
     this.#margin = margin;
     for (let i = 0; i < count; i++) {
+      if (only !== undefined && only.bySlot[i] === 0) continue;
       seen.x[i] = x[i];
       seen.y[i] = y[i];
       seen.wayX[i] = vx[i] * lookAhead;
@@ -32,12 +34,15 @@ export class ContactRange {
   }
 
   /**
-   * Whether some particle may leave its way in what is left of the step. Reads x, y, vx, vy, radius.
+   * Finds the particles that may leave their way in what is left of the step. Reads x, y, vx, vy, radius.
    * @param rest - What is left. Unit: s.
    */
-  isLeft({ count, x, y, vx, vy, radius }: ParticleArrays, rest: number): boolean {
+  findLeft({ count, x, y, vx, vy, radius }: ParticleArrays, rest: number): SomeSlots | undefined {
     const { x: atX, y: atY, wayX, wayY } = this.#seen;
+    const left = this.#left.bySlot;
+    let found = false;
     for (let i = 0; i < count; i++) {
+      left[i] = 0;
       const slack = SLACK * radius[i] + this.#margin;
       const px = x[i] - atX[i] + vx[i] * rest;
       const py = y[i] - atY[i] + vy[i] * rest;
@@ -48,8 +53,10 @@ export class ContactRange {
       const share = ww === 0 ? 0 : Math.max(0, Math.min(1, (px * wx + py * wy) / ww));
       const ox = px - wx * share;
       const oy = py - wy * share;
-      if (ox * ox + oy * oy > slack * slack) return true;
+      if (ox * ox + oy * oy <= slack * slack) continue;
+      left[i] = 1;
+      found = true;
     }
-    return false;
+    return found ? this.#left : undefined;
   }
 }

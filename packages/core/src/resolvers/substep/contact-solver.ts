@@ -1,4 +1,4 @@
-import type { ContactBuffer } from '../../contacts/contact-buffer.ts';
+import type { ContactBuffer, SomeSlots } from '../../contacts/contact-buffer.ts';
 import type { RigidMotion } from '../../links/rigid-motion.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 import type { Simulation } from '../../world/simulation.ts';
@@ -43,14 +43,16 @@ export class ContactSolver {
   /**
    * Finds the contacts of the step. Reads the particles, links, shapes and generators. Writes the contacts.
    * @param ahead - How far ahead to look. Unit: s.
-   * @param further - Keeps those that there are.
+   * @param only - Keeps those that there are, and looks for more of these particles alone.
    */
-  find({ contacts, gravity, particles, sources }: Simulation, ahead: number, further = false): void {
+  find({ contacts, gravity, particles, sources }: Simulation, ahead: number, only?: SomeSlots): void {
     const g = Math.sqrt(gravity.x * gravity.x + gravity.y * gravity.y);
     contacts.lookAhead = ahead;
     contacts.margin = g * ahead * ahead;
+    contacts.only = only;
     this.#range.note(particles, contacts);
-    sources.gather(contacts, ahead, true, further);
+    sources.gather(contacts, ahead, true);
+    contacts.only = undefined;
   }
 
   /**
@@ -78,11 +80,12 @@ export class ContactSolver {
     this.#motion.begin(contacts, this.#rows, particles);
   }
 
-  /** Looks for more contacts, within the step, if something may go where none were looked for. */
+  /** Looks for more contacts, within the step, of what may go where none were looked for. */
   findMore(simulation: Simulation, rest: number): void {
     const known = this.#rows.count;
-    if (!this.#range.isLeft(simulation.particles, rest)) return;
-    this.find(simulation, rest, true);
+    const left = this.#range.findLeft(simulation.particles, rest);
+    if (left === undefined) return;
+    this.find(simulation, rest, left);
     this.#rows.reserve(simulation.contacts.count);
     this.#rows.forget(known);
     this.#makeRows(simulation, known);
