@@ -8,6 +8,8 @@ import { SortedPairs } from './sorted-pairs.ts';
 
 /** How far a disc may go before its neighbours are looked for again, as a share of its radius. */
 const SKIN = 0.3;
+/** For how many steps, when its neighbours are looked for, its way is taken, if it goes no farther in one than twice its radius. */
+const STEPS = 3;
 
 /** The whole list is made anew when more than this share of the discs are loose, */
 const MOST_LOOSE = 1 / 8;
@@ -68,9 +70,7 @@ export class NeighbourList {
       const gone = Math.abs(nowX[i] - listedX[i]) + Math.abs(nowY[i] - listedY[i]);
       if (r === 0 ? listedReach[i] === 0 : gone + reach[i] <= listedReach[i]) continue;
       within = false;
-      listedX[i] = nowX[i];
-      listedY[i] = nowY[i];
-      listedReach[i] = reach[i] + SKIN * r;
+      this.#enlist(i, wayX, wayY, r);
       if (flag[i] === 0) slot[this.#looseCount++] = i;
       flag[i] = 1;
     }
@@ -108,19 +108,30 @@ export class NeighbourList {
     return true;
   }
 
-  #rebuild({ count, radius }: ParticleArrays, contacts: ContactBuffer): void {
-    const { x, y, reach } = this.now;
-    const { x: listedX, y: listedY, reach: listedReach } = this.#listed;
+  /**
+   * Notes where the neighbours of a disc are looked for: around its way in the next steps.
+   * @param wayX - Half its way in the coming step. Unit: m.
+   * @param wayY - Half its way in the coming step. Unit: m.
+   */
+  #enlist(i: number, wayX: number, wayY: number, radius: number): void {
+    const { now } = this;
+    const listed = this.#listed;
+    const far = Math.abs(wayX) + Math.abs(wayY);
+    const more = far <= radius ? STEPS - 1 : 0;
+    listed.x[i] = now.x[i] + wayX * more;
+    listed.y[i] = now.y[i] + wayY * more;
+    listed.reach[i] = now.reach[i] + far * more + SKIN * radius;
+  }
+
+  #rebuild({ count, x, y, radius }: ParticleArrays, contacts: ContactBuffer): void {
+    const { now } = this;
+    const listed = this.#listed;
     const found = this.#found;
-    for (let i = 0; i < count; i++) {
-      listedX[i] = x[i];
-      listedY[i] = y[i];
-      listedReach[i] = reach[i] === 0 ? 0 : reach[i] + SKIN * radius[i];
-    }
+    for (let i = 0; i < count; i++) this.#enlist(i, now.x[i] - x[i], now.y[i] - y[i], radius[i]);
     this.#loose.flag.fill(0, 0, count);
     this.#looseCount = 0;
     found.count = 0;
-    this.#grid.findPairs(count, listedX, listedY, listedReach, found);
+    this.#grid.findPairs(count, listed.x, listed.y, listed.reach, found);
     dropLinked(found, contacts);
     this.#list.sort(count, found);
     this.pairs = this.#list;
