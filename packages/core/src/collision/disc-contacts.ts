@@ -46,13 +46,19 @@ export class DiscContacts implements ContactGenerator {
     const { x, y, vx, vy, radius, inverseMass, sensor } = particles;
     const { lookAhead, margin } = contacts;
     this.#neighbours.update(particles, contacts);
-    const room = contacts.reserve(this.#neighbours.pairs.count);
-    const end = this.#findNear(contacts);
-    const { a, b, normalX, normalY, penetration } = contacts;
+    const { x: midX, y: midY, reach } = this.#neighbours.now;
+    const { a: first, b: second, count } = this.#neighbours.pairs;
+    const room = contacts.reserve(count);
+    const { a, b, normalX, normalY, penetration, only } = contacts;
     let c = contacts.count;
-    for (let n = c; n < end; n++) {
-      const i = a[n];
-      const j = b[n];
+    for (let p = 0; p < count; p++) {
+      const i = first[p];
+      const j = second[p];
+      const apartX = midX[i] - midX[j];
+      const apartY = midY[i] - midY[j];
+      const near = reach[i] + reach[j];
+      if (apartX * apartX + apartY * apartY >= near * near) continue;
+      if (only !== undefined && only.bySlot[i] + only.bySlot[j] === 0) continue;
       if (inverseMass[i] + inverseMass[j] === 0 && !wakes(particles, i, j)) continue;
       if (!mayTouch(particles, i, j) || this.#filter?.(i, j) === false) continue;
       if (sensor[i] + sensor[j] > 0) {
@@ -93,26 +99,6 @@ export class DiscContacts implements ContactGenerator {
     }
     mixSurfaces(particles, contacts, c);
     contacts.finish(c);
-  }
-
-  /** Writes the pairs that reach each other to where the contacts will be, each written over unless it does. Returns where they end. */
-  #findNear(contacts: ContactBuffer): number {
-    const { a: first, b: second, count } = this.#neighbours.pairs;
-    const { x, y, reach } = this.#neighbours.now;
-    const { a, b, only } = contacts;
-    let end = contacts.count;
-    for (let p = 0; p < count; p++) {
-      const i = first[p];
-      const j = second[p];
-      const dx = x[i] - x[j];
-      const dy = y[i] - y[j];
-      const near = reach[i] + reach[j];
-      if (only !== undefined && only.bySlot[i] + only.bySlot[j] === 0) continue;
-      a[end] = i;
-      b[end] = j;
-      end += Number(dx * dx + dy * dy < near * near);
-    }
-    return end;
   }
 }
 

@@ -30,8 +30,8 @@ export class NeighbourList {
   readonly #listed = circles();
   readonly #grid = new NeighbourGrid();
   readonly #list = new SortedPairs();
-  /** The loose discs: which they are, where they are listed, and a flag, 1 for the loose, by slot. */
-  readonly #loose = { slot: new Int32Array(0), flag: new Uint8Array(0), ...circles() };
+  /** Who has just left its skin. The loose discs: which they are, where they are listed, and a flag, 1 for the loose, by slot. */
+  readonly #loose = { left: new Int32Array(0), slot: new Int32Array(0), flag: new Uint8Array(0), ...circles() };
   #looseCount = 0;
   readonly #looseGrid = new NeighbourGrid();
   readonly #loosePairs = new SortedPairs();
@@ -45,42 +45,45 @@ export class NeighbourList {
     const { count, version } = particles;
     if (this.now.x.length < count) this.#reserve(count * 2);
     const old = version !== this.#version || contacts.linkVersion !== this.#linkVersion;
-    const within = this.#reachOut(particles, contacts);
-    if (old || !(within || this.#follow(count, contacts))) {
+    const left = this.#reachOut(particles, contacts);
+    if (old || (left > 0 && !this.#follow(left, particles, contacts))) {
       this.#rebuild(particles, contacts);
       this.#version = version;
       this.#linkVersion = contacts.linkVersion;
     }
   }
 
-  /** Finds how far each disc reaches. Lists those anew that have left their skins: they are loose. Returns whether there are none. */
-  #reachOut({ count, x, y, vx, vy, radius }: ParticleArrays, { lookAhead, margin }: ContactBuffer): boolean {
+  /** Finds how far each disc reaches, and who reaches out of where it is listed. Returns how many do. */
+  #reachOut({ count, x, y, vx, vy, radius }: ParticleArrays, { lookAhead, margin }: ContactBuffer): number {
     const { x: nowX, y: nowY, reach } = this.now;
     const { x: listedX, y: listedY, reach: listedReach } = this.#listed;
-    const { slot, flag } = this.#loose;
+    const { left } = this.#loose;
     const half = lookAhead / 2;
-    let within = true;
+    let out = 0;
     for (let i = 0; i < count; i++) {
       const r = radius[i];
       const wayX = vx[i] * half;
       const wayY = vy[i] * half;
-      nowX[i] = x[i] + wayX;
-      nowY[i] = y[i] + wayY;
-      reach[i] = r === 0 ? 0 : r * (1 + EARLY_SHARE) + margin + Math.abs(wayX) + Math.abs(wayY);
-      const gone = Math.abs(nowX[i] - listedX[i]) + Math.abs(nowY[i] - listedY[i]);
-      if (r === 0 ? listedReach[i] === 0 : gone + reach[i] <= listedReach[i]) continue;
-      within = false;
-      this.#enlist(i, wayX, wayY, r);
-      if (flag[i] === 0) slot[this.#looseCount++] = i;
-      flag[i] = 1;
+      const far = r === 0 ? 0 : r * (1 + EARLY_SHARE) + margin + Math.abs(wayX) + Math.abs(wayY);
+      const midX = x[i] + wayX;
+      const midY = y[i] + wayY;
+      nowX[i] = midX;
+      nowY[i] = midY;
+      reach[i] = far;
+      const gone = r === 0 ? 0 : Math.abs(midX - listedX[i]) + Math.abs(midY - listedY[i]);
+      if (gone + far > listedReach[i] || (r === 0 && listedReach[i] > 0)) left[out++] = i;
     }
-    return within;
+    return out;
   }
 
-  /** Finds the neighbours of the loose discs, and writes the pairs, unless that is too much to do. Returns whether it was not. */
-  #follow(count: number, contacts: ContactBuffer): boolean {
-    const loose = this.#looseCount;
+  /**
+   * Lists those anew that have left their skins, which are loose from now on. Finds the neighbours of all loose discs, and writes the
+   * pairs, unless that is too much to do. Returns whether it was not.
+   */
+  #follow(left: number, particles: ParticleArrays, contacts: ContactBuffer): boolean {
+    const { count } = particles;
     const most = count * MOST_COMPARED;
+    const loose = this.#loosen(left, particles);
     if (loose > count * MOST_LOOSE) return false;
     const { slot, x, y, reach } = this.#loose;
     const listed = this.#listed;
@@ -106,6 +109,19 @@ export class NeighbourList {
     this.#merged.merge(this.#list, this.#loose.flag, this.#loosePairs);
     this.pairs = this.#merged;
     return true;
+  }
+
+  /** Makes discs loose that have left their skins. Returns how many are. */
+  #loosen(newly: number, { x, y, radius }: ParticleArrays): number {
+    const { left, slot, flag } = this.#loose;
+    const { now } = this;
+    for (let k = 0; k < newly; k++) {
+      const i = left[k];
+      this.#enlist(i, now.x[i] - x[i], now.y[i] - y[i], radius[i]);
+      if (flag[i] === 0) slot[this.#looseCount++] = i;
+      flag[i] = 1;
+    }
+    return this.#looseCount;
   }
 
   /**

@@ -40,10 +40,11 @@ export class ContactRange {
   findLeft({ count, x, y, vx, vy, radius }: ParticleArrays, rest: number): SomeSlots | undefined {
     const { x: atX, y: atY, wayX, wayY } = this.#seen;
     const left = this.#left.bySlot;
+    const margin = this.#margin;
     let found = false;
+    left.fill(0, 0, count);
     for (let i = 0; i < count; i++) {
-      left[i] = 0;
-      const slack = SLACK * radius[i] + this.#margin;
+      const slack = SLACK * radius[i] + margin;
       const px = x[i] - atX[i] + vx[i] * rest;
       const py = y[i] - atY[i] + vy[i] * rest;
       if (Math.abs(px) + Math.abs(py) <= slack) continue;
@@ -54,8 +55,8 @@ export class ContactRange {
       const ox = px - wx * share;
       const oy = py - wy * share;
       if (ox * ox + oy * oy <= slack * slack) continue;
-      left[i] = 1;
       found = true;
+      left[i] = 1;
     }
     return found ? this.#left : undefined;
   }
