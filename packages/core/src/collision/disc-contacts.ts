@@ -43,7 +43,7 @@ export class DiscContacts implements ContactGenerator {
    * or will within the time that the contacts look ahead.
    */
   addContacts(particles: ParticleArrays, contacts: ContactBuffer): void {
-    const { x, y, vx, vy, radius, inverseMass, sensor } = particles;
+    const { x, y, vx, vy, radius, inverseMass, restitution, friction, sensor } = particles;
     const { lookAhead, margin } = contacts;
     this.#neighbours.update(particles, contacts);
     const { x: midX, y: midY, reach } = this.#neighbours.now;
@@ -95,21 +95,12 @@ export class DiscContacts implements ContactGenerator {
       b[c] = j;
       normalX[c] = nx;
       normalY[c] = ny;
-      penetration[c++] = sum - distance;
+      penetration[c] = sum - distance;
+      contacts.restitution[c] = Math.max(restitution[i], restitution[j]);
+      contacts.friction[c] = friction[i] === friction[j] ? friction[i] : Math.sqrt(friction[i] * friction[j]);
+      c++;
     }
-    mixSurfaces(particles, contacts, c);
     contacts.finish(c);
-  }
-}
-
-/** What the surfaces of two are together, for the contacts after those that are finished. Reads restitution, friction. Writes the contacts. */
-function mixSurfaces({ restitution, friction }: ParticleArrays, contacts: ContactBuffer, end: number): void {
-  const { a, b, count, restitution: bounce, friction: grip } = contacts;
-  for (let c = count; c < end; c++) {
-    const i = a[c];
-    const j = b[c];
-    bounce[c] = Math.max(restitution[i], restitution[j]);
-    grip[c] = friction[i] === friction[j] ? friction[i] : Math.sqrt(friction[i] * friction[j]);
   }
 }
 
