@@ -49,22 +49,35 @@ export class SortedPairs extends PairBuffer {
    */
   merge(kept: SortedPairs, leftOut: Uint8Array, added: SortedPairs): void {
     this.count = 0;
-    this.reserve(kept.count + added.count);
+    this.reserve(kept.count + added.count + 1);
     const { a, b } = this;
+    const { a: keptA, b: keptB, count } = kept;
     let p = 0;
     let k = 0;
-    for (let n = 0; n <= kept.count; n++) {
-      const i = n < kept.count ? kept.a[n] : Infinity;
-      const j = kept.b[n];
-      for (; k < added.count && (added.a[k] < i || (added.a[k] === i && added.b[k] < j)); k++) {
-        if (p > 0 && a[p - 1] === added.a[k] && b[p - 1] === added.b[k]) continue;
-        a[p] = added.a[k];
-        b[p++] = added.b[k];
-      }
-      if (n === kept.count || leftOut[i] + leftOut[j] > 0) continue;
+    let nextA = added.firstOf(k);
+    for (let n = 0; n < count; n++) {
+      const i = keptA[n];
+      const j = keptB[n];
+      for (; nextA < i || (nextA === i && added.b[k] < j); nextA = added.firstOf(++k))
+        p = this.#put(p, nextA, added.b[k]);
       a[p] = i;
-      b[p++] = j;
+      b[p] = j;
+      p += 1 - (leftOut[i] | leftOut[j]); // written over where it is left out
     }
+    for (; k < added.count; k++) p = this.#put(p, added.a[k], added.b[k]);
     this.count = p;
+  }
+
+  /** The lower slot of a pair; after the last, one that is higher than all. */
+  firstOf(p: number): number {
+    return p < this.count ? this.a[p] : 0x7fff_ffff;
+  }
+
+  /** Writes a pair unless it is that before. Returns where the next goes. */
+  #put(p: number, i: number, j: number): number {
+    if (p > 0 && this.a[p - 1] === i && this.b[p - 1] === j) return p;
+    this.a[p] = i;
+    this.b[p] = j;
+    return p + 1;
   }
 }
