@@ -21,7 +21,7 @@ export class ContactRange {
 
   /** Notes where contacts are looked for now. Reads x, y, vx, vy. */
   note({ count, x, y, vx, vy }: ParticleArrays, { lookAhead, margin, only }: ContactBuffer): void {
-    if (this.#seen.x.length < count) for (const table of [this.#seen, this.#left]) growColumns(table, count * 2);
+    if (this.#seen.x.length < count) this.#reserve(count * 2);
     const seen = this.#seen;
     this.#margin = margin;
     for (let i = 0; i < count; i++) {
@@ -59,5 +59,10 @@ export class ContactRange {
       left[i] = 1;
     }
     return found ? this.#left : undefined;
+  }
+
+  #reserve(count: number): void {
+    growColumns(this.#seen, count);
+    growColumns(this.#left, count);
   }
 }
