@@ -1,4 +1,4 @@
-import { type Body, box, EdgeContacts, HalfPlane, substep, World } from '@mass/core';
+import { type Body, box, EdgeContacts, HalfPlane, World } from '@mass/core';
 import { Again } from './again.ts';
 import type { Point, Scene } from './scene.ts';
 
@@ -15,7 +15,7 @@ export const boxStack: Scene<'rows' | 'friction' | 'load'> = {
   figure: 'Sub-steps',
   title: 'A stack of boxes',
   summary:
-    'Each box is four particles and six rods, and knows nothing of rotation. Edges meet corners, friction holds them, and the load goes down from row to row; twelve small steps a step carry it through the rods as well. A stack that stands is put to sleep as a whole, and costs nothing until something touches it. Click or tap where the ball shall hit, or take it, or a box by its corner.',
+    'Each box is four particles and six rods. The engine sees that they hold one shape, and moves it as a rigid body: what pushes a corner pushes the box. Edges meet corners, friction holds them, and the load goes down from row to row. A stack that stands is put to sleep as a whole, and costs nothing until something touches it. Click or tap where the ball shall hit, or take it, or a box by its corner.',
   lookFor: 'The boxes settle, fall asleep where they stand, and wake all at once when the ball comes.',
   formula: String.raw`\sum_i m_i\,|\mathbf v_i|^2\to 0,\qquad |J_t|\le\mu J_n`,
   parameters: {
@@ -37,7 +37,7 @@ export const boxStack: Scene<'rows' | 'friction' | 'load'> = {
 
   build(values) {
     const { rows, friction } = values;
-    const world = new World({ gravity: { x: 0, y: -g }, resolver: substep({ subSteps: 12 }) });
+    const world = new World({ gravity: { x: 0, y: -g } });
     world.addContactGenerator(new EdgeContacts(world));
     const walls = [-10.6, 10.6].map((x) => ({ point: { x, y: 0 }, normal: { x: -x, y: 0 } }));
     for (const wall of [{}, ...walls]) world.addShape(new HalfPlane({ ...wall, friction: 0.6 }));
