@@ -1,4 +1,5 @@
 import type { ContactBuffer } from '../contacts/contact-buffer.ts';
+import { growColumns } from '../math/columns.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import type { EdgeTable } from './edge-table.ts';
 import { EARLY_SHARE } from './shape-contacts.ts';
@@ -6,10 +7,16 @@ import { EARLY_SHARE } from './shape-contacts.ts';
 /** Between points, without a radius, a touch is found when the gap is below this share of the edge: a little early, too. */
 export const THIN_SHARE = 1e-3;
 
-/** Where the particles and the hulls of edges may be during the step. */
+/** Where the edges are, and where the particles and the hulls may be during the step. */
 export class EdgeBounds {
   /** How far each particle reaches: its radius, a little more, and its way. Unit: m. */
   reach: Float64Array = new Float64Array(0);
+  /** The way along each edge, and how long it is. Unit: m. */
+  readonly along: Record<'x' | 'y' | 'length', Float64Array> = {
+    x: new Float64Array(0),
+    y: new Float64Array(0),
+    length: new Float64Array(0),
+  };
   /** The box around each hull and the reach of its corners. Unit: m. */
   minX: Float64Array = new Float64Array(0);
   minY: Float64Array = new Float64Array(0);
@@ -32,11 +39,25 @@ export class EdgeBounds {
     const { count, vx, vy, radius } = particles;
     if (this.reach.length < count) this.reach = new Float64Array(count * 2);
     if (this.minX.length < table.hullCount) this.#reserve(table.hullCount * 2);
+    if (this.along.x.length < table.edgeCount) growColumns(this.along, table.edgeCount * 2);
     const { reach } = this;
     for (let i = 0; i < count; i++) {
       reach[i] = radius[i] * (1 + EARLY_SHARE) + margin + (Math.abs(vx[i]) + Math.abs(vy[i])) * dt;
     }
+    this.#layOut(particles, table);
     for (let h = 0; h < table.hullCount; h++) this.#around(particles, table, h);
+  }
+
+  #layOut({ x, y }: ParticleArrays, { edgeCount, edges }: EdgeTable): void {
+    const { start, end } = edges;
+    const along = this.along;
+    for (let k = 0; k < edgeCount; k++) {
+      const ex = x[end[k]] - x[start[k]];
+      const ey = y[end[k]] - y[start[k]];
+      along.x[k] = ex;
+      along.y[k] = ey;
+      along.length[k] = Math.sqrt(ex * ex + ey * ey);
+    }
   }
 
   #around({ x, y, inverseMass, asleep }: ParticleArrays, { hulls, edges }: EdgeTable, h: number): void {
@@ -73,7 +94,7 @@ export class EdgeBounds {
     this.maxY[h] = maxY + early;
     this.widest[h] = widest;
     this.turn[h] = area < 0 ? -1 : 1;
-    this.convex[h] = ring && isConvex(x, y, start, hulls.first[h], last, this.turn[h]) ? 1 : 0;
+    this.convex[h] = ring && isConvex(this.along, hulls.first[h], last, this.turn[h]) ? 1 : 0;
     this.still[h] = still;
   }
 
@@ -90,21 +111,11 @@ export class EdgeBounds {
 }
 
 /** Whether a ring turns the same way at each of its corners. */
-function isConvex(
-  x: Float64Array,
-  y: Float64Array,
-  start: Int32Array,
-  first: number,
-  last: number,
-  turn: number,
-): boolean {
-  let a = start[last - 2];
-  let b = start[last - 1];
+function isConvex({ x, y }: EdgeBounds['along'], first: number, last: number, turn: number): boolean {
+  let before = last - 1;
   for (let k = first; k < last; k++) {
-    const c = start[k];
-    if (turn * ((x[b] - x[a]) * (y[c] - y[b]) - (y[b] - y[a]) * (x[c] - x[b])) < 0) return false;
-    a = b;
-    b = c;
+    if (turn * (x[before] * y[k] - y[before] * x[k]) < 0) return false;
+    before = k;
   }
   return true;
 }

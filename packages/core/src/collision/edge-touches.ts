@@ -48,8 +48,7 @@ export class EdgeTouches {
   find(p: number, h: number): void {
     const { first, ring } = this.#table.hulls;
     if (ring[h] === 0) {
-      this.#touchEdge(p, first[h], this.#sides.sideOf(p, first[h]));
-      this.#touchEnds(p, first[h]);
+      this.#touch(p, first[h], this.#sides.sideOf(p, first[h]), NONE);
       return;
     }
     const front = this.#faces(p, h);
@@ -60,8 +59,8 @@ export class EdgeTouches {
       return;
     }
     for (let f = 0; f < front; f++) {
-      this.#touchEdge(p, this.#facing[f], this.#bounds.turn[h]);
-      this.#touchEnds(p, this.#facing[f]);
+      const next = this.#facing[f + 1 < front ? f + 1 : 0];
+      this.#touch(p, this.#facing[f], this.#bounds.turn[h], this.#table.edges.start[next]);
     }
   }
 
@@ -71,7 +70,8 @@ export class EdgeTouches {
    */
   #faces(p: number, h: number): number {
     const { x, y } = this.#particles;
-    const { start, end } = this.#table.edges;
+    const { start } = this.#table.edges;
+    const along = this.#bounds.along;
     const facing = this.#facing;
     const last = this.#table.hulls.first[h + 1];
     const side = this.#bounds.turn[h];
@@ -80,58 +80,73 @@ export class EdgeTouches {
     const py = y[p];
     let count = 0;
     for (let k = this.#table.hulls.first[h]; k < last; k++) {
-      const bx = x[start[k]];
-      const by = y[start[k]];
-      const ex = x[end[k]] - bx;
-      const ey = y[end[k]] - by;
-      const area = side * ((px - bx) * ey - (py - by) * ex);
+      const b = start[k];
+      const area = side * ((px - x[b]) * along.y[k] - (py - y[b]) * along.x[k]);
       if (!(area >= 0)) continue;
-      if (area * area > limit * limit * (ex * ex + ey * ey)) return APART;
+      if (area > limit * along.length[k]) return APART;
       facing[count++] = k;
     }
     return count;
   }
 
-  #touchEnds(p: number, k: number): void {
-    const { start, end } = this.#table.edges;
-    this.#touchEnd(p, start[k]);
-    this.#touchEnd(p, end[k]);
+  /**
+   * Lists where a particle touches an edge, between its ends and at these.
+   * @param side - 1 where the particle belongs to the right of the edge, -1 to the left.
+   * @param seen - An end that is looked at on another edge.
+   */
+  #touch(p: number, k: number, side: number, seen: number): void {
+    const { x, y } = this.#particles;
+    const { reach, along } = this.#bounds;
+    const b = this.#table.edges.start[k];
+    const e = this.#table.edges.end[k];
+    const ex = along.x[k];
+    const ey = along.y[k];
+    const length = along.length[k];
+    const px = x[p] - x[b];
+    const py = y[p] - y[b];
+    const beside = px * ex + py * ey;
+    if (p !== b && p !== e) {
+      const area = side * (px * ey - py * ex);
+      if (area < 0) this.#push(p, k, side);
+      else if (length > 0) this.#touchEdge(p, k, side, area / length, beside);
+    }
+    if (beside <= (reach[p] + reach[b]) * length) this.#touchEnd(p, b);
+    if (e !== seen && length * length - beside <= (reach[p] + reach[e]) * length) this.#touchEnd(p, e);
   }
 
   /**
    * Lists a touch between the ends of an edge.
-   * @param side - 1 where the particle belongs to the right of the edge, -1 to the left.
+   * @param gap - How far the particle's centre is from the line of the edge. Unit: m.
+   * @param beside - How far it is along the edge, times its length. Unit: m².
    */
-  #touchEdge(p: number, k: number, side: number): void {
-    const { x, y, vx, vy, radius } = this.#particles;
+  #touchEdge(p: number, k: number, side: number, gap: number, beside: number): void {
+    const { radius } = this.#particles;
+    const { along } = this.#bounds;
     const b = this.#table.edges.start[k];
     const e = this.#table.edges.end[k];
-    if (p === b || p === e) return;
-    const ex = x[e] - x[b];
-    const ey = y[e] - y[b];
-    const px = x[p] - x[b];
-    const py = y[p] - y[b];
-    const area = side * (px * ey - py * ex);
-    if (area < 0) {
-      this.#push(p, k, side);
-      return;
-    }
-    const square = ex * ex + ey * ey;
-    if (square === 0) return;
+    const ex = along.x[k];
+    const ey = along.y[k];
+    const length = along.length[k];
     const sum = radius[p] + Math.min(radius[b], radius[e]);
-    const length = Math.sqrt(square);
-    const gap = area / length;
     const near = (sum === 0 ? THIN_SHARE * length : sum * (1 + EARLY_SHARE)) + this.#margin;
     if (gap < near) {
-      const share = (px * ex + py * ey) / square;
+      const share = beside / (ex * ex + ey * ey);
       const beyond = sum === 0 ? ROUNDING : 0; // points have no discs that touch beyond the ends
       if (share > -beyond && share < 1 + beyond)
         this.list.add(b, e, share, (side * ey) / length, (-side * ex) / length, sum - gap);
-      return;
-    }
+    } else if (this.#lookAhead > 0) this.#touchLater(p, k, side, gap, near, sum);
+  }
+
+  /** Lists a touch between the ends of an edge within the time looked ahead, as if the gap closed evenly. */
+  #touchLater(p: number, k: number, side: number, gap: number, near: number, sum: number): void {
+    const { x, y, vx, vy } = this.#particles;
+    const b = this.#table.edges.start[k];
+    const e = this.#table.edges.end[k];
     const ahead = this.#lookAhead;
-    if (ahead === 0) return;
-    // The gap when the time is over, and when it will close, as if it closed evenly.
+    const ex = this.#bounds.along.x[k];
+    const ey = this.#bounds.along.y[k];
+    const px = x[p] - x[b];
+    const py = y[p] - y[b];
     const fx = ex + (vx[e] - vx[b]) * ahead;
     const fy = ey + (vy[e] - vy[b]) * ahead;
     const qx = px + (vx[p] - vx[b]) * ahead;
