@@ -23,7 +23,7 @@ export class EdgeBounds {
   maxX: Float64Array = new Float64Array(0);
   maxY: Float64Array = new Float64Array(0);
   /** Which way a ring goes round: 1 counter-clockwise, -1 clockwise. */
-  turn: Float64Array = new Float64Array(0);
+  turn: Int8Array = new Int8Array(0);
   /** How far the farthest-reaching corner reaches. Unit: m. */
   widest: Float64Array = new Float64Array(0);
   /** 1 where a ring is convex. */
@@ -103,7 +103,7 @@ export class EdgeBounds {
     this.minY = new Float64Array(count);
     this.maxX = new Float64Array(count);
     this.maxY = new Float64Array(count);
-    this.turn = new Float64Array(count);
+    this.turn = new Int8Array(count);
     this.widest = new Float64Array(count);
     this.convex = new Uint8Array(count);
     this.still = new Uint8Array(count);

@@ -15,19 +15,19 @@ export class TouchList {
   /** Unit: m. */
   penetration: Float64Array = new Float64Array(16);
 
-  /** Adds a touch in its place; of two with the same slots the one that was first stays. */
-  add(b: number, edgeEnd: number, share: number, normalX: number, normalY: number, penetration: number): void {
+  /**
+   * Adds a touch in its place. Returns that, where the numbers are still to be written: handed to a function, each would be an object.
+   * Of two with the same slots the one that was first stays, and it is -1.
+   */
+  add(b: number, edgeEnd: number): number {
     if (this.count === this.b.length) growColumns(this, this.count * 2);
     let place = this.count;
     while (place > 0 && this.#isAfter(place - 1, b, edgeEnd)) place--;
-    if (place > 0 && this.b[place - 1] === b && this.edgeEnd[place - 1] === edgeEnd) return;
+    if (place > 0 && this.b[place - 1] === b && this.edgeEnd[place - 1] === edgeEnd) return -1;
     for (let t = this.count++; t > place; t--) this.#copy(t - 1, t);
     this.b[place] = b;
     this.edgeEnd[place] = edgeEnd;
-    this.share[place] = share;
-    this.normalX[place] = normalX;
-    this.normalY[place] = normalY;
-    this.penetration[place] = penetration;
+    return place;
   }
 
   #isAfter(touch: number, b: number, edgeEnd: number): boolean {

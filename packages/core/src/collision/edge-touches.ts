@@ -75,7 +75,8 @@ export class EdgeTouches {
     const facing = this.#facing;
     const last = this.#table.hulls.first[h + 1];
     const side = this.#bounds.turn[h];
-    const limit = this.#bounds.convex[h] === 1 ? this.#bounds.reach[p] + this.#bounds.widest[h] : Infinity;
+    const convex = this.#bounds.convex[h] === 1;
+    const limit = this.#bounds.reach[p] + this.#bounds.widest[h];
     const px = x[p];
     const py = y[p];
     let count = 0;
@@ -83,7 +84,7 @@ export class EdgeTouches {
       const b = start[k];
       const area = side * ((px - x[b]) * along.y[k] - (py - y[b]) * along.x[k]);
       if (!(area >= 0)) continue;
-      if (area > limit * along.length[k]) return APART;
+      if (convex && area > limit * along.length[k]) return APART;
       facing[count++] = k;
     }
     return count;
@@ -99,69 +100,87 @@ export class EdgeTouches {
     const { reach, along } = this.#bounds;
     const b = this.#table.edges.start[k];
     const e = this.#table.edges.end[k];
-    const ex = along.x[k];
-    const ey = along.y[k];
     const length = along.length[k];
-    const px = x[p] - x[b];
-    const py = y[p] - y[b];
-    const beside = px * ex + py * ey;
-    if (p !== b && p !== e) {
-      const area = side * (px * ey - py * ex);
-      if (area < 0) this.#push(p, k, side);
-      else if (length > 0) this.#touchEdge(p, k, side, area / length, beside);
-    }
+    const beside = (x[p] - x[b]) * along.x[k] + (y[p] - y[b]) * along.y[k];
+    if (p !== b && p !== e) this.#touchEdge(p, k, side);
     if (beside <= (reach[p] + reach[b]) * length) this.#touchEnd(p, b);
     if (e !== seen && length * length - beside <= (reach[p] + reach[e]) * length) this.#touchEnd(p, e);
   }
 
-  /**
-   * Lists a touch between the ends of an edge.
-   * @param gap - How far the particle's centre is from the line of the edge. Unit: m.
-   * @param beside - How far it is along the edge, times its length. Unit: m².
-   */
-  #touchEdge(p: number, k: number, side: number, gap: number, beside: number): void {
-    const { radius } = this.#particles;
+  /** Lists a touch between the ends of an edge. */
+  #touchEdge(p: number, k: number, side: number): void {
+    const { x, y, radius } = this.#particles;
     const { along } = this.#bounds;
     const b = this.#table.edges.start[k];
     const e = this.#table.edges.end[k];
     const ex = along.x[k];
     const ey = along.y[k];
     const length = along.length[k];
+    const px = x[p] - x[b];
+    const py = y[p] - y[b];
+    const area = side * (px * ey - py * ex);
+    if (length === 0) return;
+    if (area < 0) {
+      this.#push(p, k, side);
+      return;
+    }
+    const gap = area / length;
     const sum = radius[p] + Math.min(radius[b], radius[e]);
-    const near = (sum === 0 ? THIN_SHARE * length : sum * (1 + EARLY_SHARE)) + this.#margin;
-    if (gap < near) {
-      const share = beside / (ex * ex + ey * ey);
-      const beyond = sum === 0 ? ROUNDING : 0; // points have no discs that touch beyond the ends
-      if (share > -beyond && share < 1 + beyond)
-        this.list.add(b, e, share, (side * ey) / length, (-side * ex) / length, sum - gap);
-    } else if (this.#lookAhead > 0) this.#touchLater(p, k, side, gap, near, sum);
+    if (!(gap < this.#nearOf(sum, length))) {
+      if (this.#lookAhead > 0) this.#touchLater(p, k, side);
+      return;
+    }
+    const share = (px * ex + py * ey) / (ex * ex + ey * ey);
+    const beyond = sum === 0 ? ROUNDING : 0; // points have no discs that touch beyond the ends
+    if (!(share > -beyond && share < 1 + beyond)) return;
+    const { list } = this;
+    const t = list.add(b, e);
+    if (t === NONE) return;
+    list.share[t] = share;
+    list.normalX[t] = (side * ey) / length;
+    list.normalY[t] = (-side * ex) / length;
+    list.penetration[t] = sum - gap;
+  }
+
+  /** From which gap on a touch is found that is not yet one. Unit: m. */
+  #nearOf(sum: number, length: number): number {
+    return (sum === 0 ? THIN_SHARE * length : sum * (1 + EARLY_SHARE)) + this.#margin;
   }
 
   /** Lists a touch between the ends of an edge within the time looked ahead, as if the gap closed evenly. */
-  #touchLater(p: number, k: number, side: number, gap: number, near: number, sum: number): void {
-    const { x, y, vx, vy } = this.#particles;
+  #touchLater(p: number, k: number, side: number): void {
+    const { x, y, vx, vy, radius } = this.#particles;
+    const { along } = this.#bounds;
     const b = this.#table.edges.start[k];
     const e = this.#table.edges.end[k];
     const ahead = this.#lookAhead;
-    const ex = this.#bounds.along.x[k];
-    const ey = this.#bounds.along.y[k];
+    const ex = along.x[k];
+    const ey = along.y[k];
     const px = x[p] - x[b];
     const py = y[p] - y[b];
     const fx = ex + (vx[e] - vx[b]) * ahead;
     const fy = ey + (vy[e] - vy[b]) * ahead;
     const qx = px + (vx[p] - vx[b]) * ahead;
     const qy = py + (vy[p] - vy[b]) * ahead;
+    const gap = (side * (px * ey - py * ex)) / along.length[k];
     const then = (side * (qx * fy - qy * fx)) / Math.sqrt(fx * fx + fy * fy);
-    if (!(then < near)) return;
+    const sum = radius[p] + Math.min(radius[b], radius[e]);
+    if (!(then < this.#nearOf(sum, along.length[k]))) return;
     const time = Math.min(1, (gap - sum) / (gap - then));
     const tx = ex + (fx - ex) * time;
     const ty = ey + (fy - ey) * time;
     const reach = Math.sqrt(tx * tx + ty * ty);
     const share = ((px + (qx - px) * time) * tx + (py + (qy - py) * time) * ty) / (reach * reach);
     if (!(share >= 0 && share <= 1)) return;
+    const { list } = this;
+    const t = list.add(b, e);
+    if (t === NONE) return;
     const nx = (side * ty) / reach;
     const ny = (-side * tx) / reach;
-    this.list.add(b, e, share, nx, ny, sum - (px - share * ex) * nx - (py - share * ey) * ny);
+    list.share[t] = share;
+    list.normalX[t] = nx;
+    list.normalY[t] = ny;
+    list.penetration[t] = sum - (px - share * ex) * nx - (py - share * ey) * ny;
   }
 
   /** Lists a touch of the disc of an end, where the particle is beyond that end for each of its edges, and it for the particle's. */
@@ -197,7 +216,13 @@ export class EdgeTouches {
       ny = ty / distance;
     }
     if (!this.#isBeyond(p, q, time) || !this.#isBeyond(q, p, time)) return;
-    this.list.add(q, NONE, 0, nx, ny, sum - dx * nx - dy * ny);
+    const { list } = this;
+    const t = list.add(q, NONE);
+    if (t === NONE) return;
+    list.share[t] = 0;
+    list.normalX[t] = nx;
+    list.normalY[t] = ny;
+    list.penetration[t] = sum - dx * nx - dy * ny;
   }
 
   /** Whether a particle is beyond an end for each of its edges, but for those that are thinner than the end itself. */
@@ -233,6 +258,12 @@ export class EdgeTouches {
     const share = Math.max(0, Math.min(1, (px * ex + py * ey) / square));
     const nx = (side * ey) / length;
     const ny = (-side * ex) / length;
-    this.list.add(b, e, share, nx, ny, radius[p] + Math.min(radius[b], radius[e]) - px * nx - py * ny);
+    const { list } = this;
+    const t = list.add(b, e);
+    if (t === NONE) return;
+    list.share[t] = share;
+    list.normalX[t] = nx;
+    list.normalY[t] = ny;
+    list.penetration[t] = radius[p] + Math.min(radius[b], radius[e]) - px * nx - py * ny;
   }
 }
