@@ -16,7 +16,8 @@ export class ContactMotion {
   /** Begins with what the rows hold, but for those of rigid bodies. Reads the contacts, the rows, inverseMass. */
   begin(contacts: ContactBuffer, rows: ContactRows, particles: ParticleArrays): void {
     const { count } = particles;
-    if (this.#vx.length <= count) this.#reserve(count * 2 + 1);
+    const room = particles.vx.length + 1; // one more, for scenery
+    if (this.#vx.length < room) this.#reserve(room);
     const vx = this.#vx;
     const vy = this.#vy;
     vx.fill(0, 0, count + 1);
@@ -72,13 +73,9 @@ export class ContactMotion {
   }
 
   /** Notes the velocities before the contacts are solved. Reads vx, vy. */
-  note({ count, vx, vy }: ParticleArrays): void {
-    const x = this.#beforeX;
-    const y = this.#beforeY;
-    for (let i = 0; i < count; i++) {
-      x[i] = vx[i];
-      y[i] = vy[i];
-    }
+  note({ vx, vy }: ParticleArrays): void {
+    this.#beforeX.set(vx);
+    this.#beforeY.set(vy);
   }
 
   /** Adds what the contacts changed since. Reads vx, vy. */
