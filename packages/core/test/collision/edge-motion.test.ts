@@ -169,6 +169,21 @@ describe.each(RESOLVERS)('things on each other, under %s', (name, resolver) => {
   });
 });
 
+describe('under substep', () => {
+  it.each([0.01, 0.05, 0.1])('[C42] boxes that begin %s m in each other, part and do not fly off', (depth) => {
+    for (const shift of [0, 0.1, 0.2, 0.3]) {
+      const world = made(substep(), { x: 0, y: 0 });
+      const size = { width: 0.4, height: 0.4, radius: 0.05 };
+      const lower = world.addBody(box({ x: 0, y: 0, ...size }));
+      const upper = world.addBody(box({ x: shift, y: 0.5 - depth, ...size }));
+      run(world, 120);
+      expect(upper.y - lower.y).toBeGreaterThan(0.5 - depth / 4);
+      expect(upper.y - lower.y).toBeLessThan(0.52);
+      for (const { vx, vy } of [...lower.particles, ...upper.particles]) expect(Math.hypot(vx, vy)).toBeLessThan(0.05);
+    }
+  });
+});
+
 describe('nothing tunnels, to 50 m/s at 1/60 s', () => {
   it.each(RESOLVERS)('[C47] through a rope of links of radius 0.02, under %s', (_, resolver) => {
     const random = new Random(3);
