@@ -130,6 +130,18 @@ export class DistanceLink implements LimitedLink {
     return 0;
   }
 
+  /** What it has stored by giving way, with its ends at given places. Unit: J. */
+  energyAt(x: Float64Array, y: Float64Array): number {
+    if (this.compliance === 0) return 0;
+    const i = this.#i;
+    const j = this.#j;
+    const dx = (j < 0 ? this.#pointX : x[j]) - x[i];
+    const dy = (j < 0 ? this.#pointY : y[j]) - y[i];
+    const length = Math.sqrt(dx * dx + dy * dy);
+    const over = length - Math.max(this.#minLength, Math.min(this.#maxLength, length));
+    return (over * over) / (2 * this.compliance);
+  }
+
   /**
    * A contact that pulls the ends together at the greatest distance, and one that holds them apart at the smallest. A rod
    * offers both each time, so that it holds its length from both sides and does not vibrate.

@@ -15,6 +15,8 @@ export interface Link extends ContactGenerator {
    * A link without is kept by its contacts.
    */
   readonly solver?: () => LinkSolver;
+  /** What it has stored by giving way, with its ends at given places. Unit: J. */
+  energyAt?(x: Float64Array, y: Float64Array): number;
   /**
    * Whether the link breaks now; asked after each step.
    * @param force - What its contacts had to hold during the step. Unit: N.

@@ -1,8 +1,8 @@
 import { type ContactBuffer, NO_EDGE, SCENERY } from '../../contacts/contact-buffer.ts';
 import { growColumns } from '../../math/columns.ts';
-import { particleOf } from '../../particles/end.ts';
 import type { ParticleStore } from '../../particles/particle-store.ts';
 import type { Simulation } from '../../world/simulation.ts';
+import { Islands } from './islands.ts';
 
 /** How often islands are looked for. Unit: steps. */
 const EVERY = 6;
@@ -27,11 +27,10 @@ export class Sleep {
     generation: new Uint32Array(0),
     /** By which number its island was put to sleep. */
     island: new Int32Array(0),
-    /** The way to the first particle of an island. */
-    parent: new Int32Array(0),
     /** Of the first: whether something of its island moves. */
     restless: new Uint8Array(0),
   };
+  readonly #found = new Islands();
   #steps = 0;
   #islands = 1;
   /** The count of changes when everything was found asleep; negative where it was not. */
@@ -110,7 +109,7 @@ export class Sleep {
     }
     this.#restedAt = NEVER;
     if (!this.#anyRested(particles)) return;
-    this.#findIslands(simulation);
+    this.#found.find(simulation);
     this.#putToSleep(particles);
   }
 
@@ -132,50 +131,15 @@ export class Sleep {
     return false;
   }
 
-  /** Joins what touches or is linked. Writes the way to the first particle of each island. */
-  #findIslands({ particles, contacts, sources }: Simulation): void {
-    const { count, inverseMass } = particles;
-    const { a, b, edgeEnd, impulse, penetration, margin } = contacts;
-    for (let i = 0; i < count; i++) this.#table.parent[i] = i;
-    for (let c = 0; c < contacts.count; c++) {
-      if (b[c] === SCENERY || (impulse[c] === 0 && penetration[c] < -margin)) continue;
-      this.#join(a[c], b[c], inverseMass);
-      if (edgeEnd[c] !== NO_EDGE) this.#join(a[c], edgeEnd[c], inverseMass);
-    }
-    for (const link of sources.links) {
-      const first = particleOf(link.a);
-      const second = particleOf(link.b);
-      if (first !== undefined && second !== undefined) this.#join(first.slot, second.slot, inverseMass);
-    }
-  }
-
-  /** The immovable joins nothing. */
-  #join(i: number, j: number, inverseMass: Float64Array): void {
-    if (inverseMass[i] === 0 || inverseMass[j] === 0) return;
-    const first = this.#firstOf(i);
-    const second = this.#firstOf(j);
-    if (first < second) this.#table.parent[second] = first;
-    else this.#table.parent[first] = second;
-  }
-
-  #firstOf(i: number): number {
-    const parent = this.#table.parent;
-    while (parent[i] !== i) {
-      parent[i] = parent[parent[i]];
-      i = parent[i];
-    }
-    return i;
-  }
-
   #putToSleep(particles: ParticleStore): void {
     const { count, inverseMass } = particles;
     const restless = this.#table.restless.fill(0, 0, count);
     for (let i = 0; i < count; i++) {
-      if (inverseMass[i] !== 0 && this.#table.restTime[i] < this.#time) restless[this.#firstOf(i)] = 1;
+      if (inverseMass[i] !== 0 && this.#table.restTime[i] < this.#time) restless[this.#found.firstOf(i)] = 1;
     }
     for (let i = 0; i < count; i++) {
-      if (inverseMass[i] === 0 || restless[this.#firstOf(i)] === 1) continue;
-      this.#table.island[i] = this.#islands + this.#firstOf(i);
+      if (inverseMass[i] === 0 || restless[this.#found.firstOf(i)] === 1) continue;
+      this.#table.island[i] = this.#islands + this.#found.firstOf(i);
       particles.sleep(i);
     }
     this.#islands = ((this.#islands + count) % MOST_ISLANDS) + 1;

@@ -6,6 +6,7 @@ import { accelerate, accelerateConstantly, damp, move } from '../../world/integr
 import type { Simulation } from '../../world/simulation.ts';
 import type { Resolver } from '../resolver.ts';
 import { ContactSolver } from './contact-solver.ts';
+import { EnergyGuard } from './energy-guard.ts';
 import { HeldForces } from './held-forces.ts';
 import { keepInFront } from './keep-in-front.ts';
 import { LinkGroups } from './link-groups.ts';
@@ -79,6 +80,7 @@ class SmallSteps {
   readonly #contacts = new ContactSolver();
   readonly #links = new LinkGroups();
   readonly #held = new HeldForces();
+  readonly #guard = new EnergyGuard();
   readonly #sleep: Sleep;
 
   constructor(subSteps: number, sleep: Sleep) {
@@ -103,6 +105,8 @@ class SmallSteps {
     this.#links.begin(sources, particles);
     this.#contacts.begin(simulation, dt, h, this.#links.bodies);
     this.#held.note(particles);
+    const guards = sources.links.length > 0;
+    if (guards) this.#guard.begin(particles);
     for (let k = 0; k < this.#subSteps; k++) {
       if (k > 0) {
         this.#held.restore(particles);
@@ -110,16 +114,21 @@ class SmallSteps {
       }
       forces.apply(h, time + k * h);
       accelerateAll(particles, gravity, h);
+      if (guards) this.#guard.before(particles);
       this.#contacts.repeat(simulation, k === 0);
       this.#links.solve(particles, h);
       this.#contacts.solve(simulation);
+      if (guards) this.#guard.after(particles);
       if (!move(particles, h)) return false;
       if (contacts.count > 0) {
         this.#links.straighten(particles);
         this.#contacts.keepOut(simulation);
       }
     }
+    if (guards) this.#guard.before(particles);
     this.#contacts.relax(simulation);
+    if (guards) this.#guard.after(particles);
+    if (guards && contacts.count > 0) this.#guard.settle(simulation);
     keepInFront(simulation);
     this.#contacts.keep(simulation);
     this.#sleep.settle(simulation, dt);
