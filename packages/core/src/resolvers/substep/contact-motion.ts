@@ -1,4 +1,4 @@
-import { type ContactBuffer, shareOf } from '../../contacts/contact-buffer.ts';
+import { type ContactBuffer, NO_EDGE, shareOf } from '../../contacts/contact-buffer.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 import type { ContactRows } from './contact-rows.ts';
 
@@ -22,7 +22,24 @@ export class ContactMotion {
     const vy = this.#vy;
     vx.fill(0, 0, count + 1);
     vy.fill(0, 0, count + 1);
-    for (let r = 0; r < rows.count; r++) if (rows.ofBody[r] === 0) this.#add(contacts, rows, r, 1, particles);
+    const { inverseMass } = particles;
+    const { a, normalX, normalY, edgeEnd } = contacts;
+    const { second, normal, tangent, ofBody } = rows;
+    for (let r = 0; r < rows.count; r++) {
+      if (normal[r] === 0 || ofBody[r] === 1) continue;
+      if (edgeEnd[r] !== NO_EDGE) {
+        this.#add(contacts, rows, r, 1, particles);
+        continue;
+      }
+      const i = a[r];
+      const j = second[r];
+      const px = normal[r] * normalX[r] + tangent[r] * normalY[r];
+      const py = normal[r] * normalY[r] - tangent[r] * normalX[r];
+      vx[i] += px * inverseMass[i];
+      vy[i] += py * inverseMass[i];
+      vx[j] -= px * inverseMass[j];
+      vy[j] -= py * inverseMass[j];
+    }
   }
 
   /** Takes out what hits did, and their impulses: what was no contact before the step does not hit again. Reads inverseMass. */

@@ -5,6 +5,8 @@ import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 /** What the solver needs beside the contacts themselves, in the same order. A contact keeps its normal through the step. */
 export class ContactRows {
   count = 0;
+  /** How many did not last from the step before. */
+  fresh = 0;
   /** What gravity adds to a velocity in a small step. Unit: m/s. */
   fallX = 0;
   fallY = 0;
@@ -45,6 +47,7 @@ export class ContactRows {
   build(contacts: ContactBuffer, { count: slots, x, y, inverseMass }: ParticleArrays, from: number): void {
     const { count, a, b, normalX, normalY, penetration, edgesStart, edgesEnd } = contacts;
     const { second, offset, mass, ofBody, lasting, normal } = this;
+    let fresh = from === 0 ? 0 : this.fresh;
     for (let c = from; c < count; c++) {
       const i = a[c];
       const j = b[c] === SCENERY ? slots : b[c];
@@ -56,7 +59,9 @@ export class ContactRows {
       offset[c] = -penetration[c] - (x[i] - x[j]) * nx - (y[i] - y[j]) * ny;
       mass[c] = w === 0 ? 0 : 1 / w;
       if (normal[c] === 0 && penetration[c] < 0) lasting[c] = 0;
+      fresh += 1 - lasting[c];
     }
+    this.fresh = fresh;
     for (let c = Math.max(from, edgesStart); c < edgesEnd; c++) {
       const t = shareOf(contacts, c);
       if (t === 0) continue;

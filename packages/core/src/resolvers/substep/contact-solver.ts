@@ -109,7 +109,7 @@ export class ContactSolver {
   /** Begins a small step with what the contacts did in the last one. Writes vx, vy. */
   repeat({ contacts, particles }: Simulation, first: boolean): void {
     if (this.#rows.count === 0) return;
-    if (!first) this.#motion.forgetHits(contacts, this.#rows, particles, this.#resting);
+    if (!first && this.#rows.fresh > 0) this.#motion.forgetHits(contacts, this.#rows, particles, this.#resting);
     this.#motion.repeat(particles);
   }
 
@@ -135,7 +135,7 @@ export class ContactSolver {
     takeBackPush(contacts, rows, this.#bodies, particles, this.#soft.biasRate);
     this.#passBodies(contacts, particles, RIGID, false);
     this.#pass(contacts, particles, RIGID, RIGID);
-    for (let r = 0; r < rows.count; r++) giveBack(contacts, rows, r, this.#bodies, particles, this.#resting);
+    giveBack(contacts, rows, this.#bodies, particles, this.#resting);
   }
 
   /** Keeps the impulses for the next step. Reads the contacts. */
@@ -148,14 +148,36 @@ export class ContactSolver {
     const { count, sceneryStart, sceneryEnd } = contacts;
     const edgesStart = Math.max(sceneryEnd, contacts.edgesStart);
     const edgesEnd = Math.max(edgesStart, contacts.edgesEnd);
+    this.#passRows(0, sceneryStart, contacts, particles, soft);
+    this.#passRows(sceneryEnd, edgesStart, contacts, particles, soft);
+    this.#passRows(edgesEnd, count, contacts, particles, soft);
+    this.#passRows(edgesStart, edgesEnd, contacts, particles, soft, edgeSoft);
+    this.#passRows(sceneryStart, sceneryEnd, contacts, particles, soft);
+  }
+
+  /** One pass over those of some rows that are not of rigid bodies, run by run. */
+  #passRows(
+    start: number,
+    end: number,
+    contacts: ContactBuffer,
+    particles: ParticleArrays,
+    soft: Softness,
+    edgeSoft?: Softness,
+  ): void {
     const rows = this.#rows;
-    const h = this.#h;
-    const calm = this.#calm;
-    solveContacts(contacts, rows, 0, sceneryStart, particles, soft, h, calm);
-    solveContacts(contacts, rows, sceneryEnd, edgesStart, particles, soft, h, calm);
-    solveContacts(contacts, rows, edgesEnd, count, particles, soft, h, calm);
-    solveEdges(contacts, rows, edgesStart, edgesEnd, particles, soft, edgeSoft, h, calm);
-    solveContacts(contacts, rows, sceneryStart, sceneryEnd, particles, soft, h, calm);
+    const { ofBody } = rows;
+    const someAreOfBodies = this.#bodyRows.count > 0;
+    for (let from = start; from < end; ) {
+      let to = end;
+      if (someAreOfBodies) {
+        while (from < end && ofBody[from] === 1) from++;
+        to = from;
+        while (to < end && ofBody[to] === 0) to++;
+      }
+      if (edgeSoft === undefined) solveContacts(contacts, rows, from, to, particles, soft, this.#h, this.#calm);
+      else solveEdges(contacts, rows, from, to, particles, soft, edgeSoft, this.#h, this.#calm);
+      from = to;
+    }
   }
 
   #passBodies(contacts: ContactBuffer, particles: ParticleArrays, soft: Softness, begins: boolean): void {

@@ -30,7 +30,7 @@ export const OVER_RELAXATION = 1.2;
  */
 export function solveContacts(
   { a, normalX, normalY, friction, surfaceSpeed, impulse, tangentImpulse }: ContactBuffer,
-  { second, offset, mass, ofBody, lasting, closing, normal, tangent, fallX, fallY }: ContactRows,
+  { second, offset, mass, lasting, closing, normal, tangent, fallX, fallY }: ContactRows,
   start: number,
   end: number,
   { x, y, vx, vy, inverseMass }: ParticleArrays,
@@ -41,7 +41,6 @@ export function solveContacts(
   const perStep = 1 / h;
   const kept = 1 - impulseScale;
   for (let r = start; r < end; r++) {
-    if (ofBody[r] === 1) continue;
     const i = a[r];
     const j = second[r];
     const nx = normalX[r];
@@ -114,28 +113,30 @@ export function takeBackPush(
 }
 
 /**
- * Gives back a share of the closing speed with which two hit each other. Reads the rows, x, y, inverseMass.
- * Writes vx, vy, and the contact's impulse.
+ * Gives back a share of the closing speed with which two hit each other in the step. Reads the rows, x, y, inverseMass.
+ * Writes vx, vy, and the contacts' impulses.
  * @param resting - Closing speed up to which a contact rests. Unit: m/s.
  */
 export function giveBack(
   contacts: ContactBuffer,
   rows: ContactRows,
-  r: number,
   bodies: RigidMotion | undefined,
   particles: ParticleArrays,
   resting: number,
 ): void {
-  const { normalX, normalY, restitution, impulse } = contacts;
+  const { count, normalX, normalY, restitution, impulse } = contacts;
   const { second, mass, closing } = rows;
-  if (restitution[r] === 0 || closing[r] >= -resting || impulse[r] === 0) return;
-  const speed = partingSpeed(contacts, second, particles, r);
-  // No more than its share of the impulse that stopped the hit (Poisson): where several hit at once, more would add energy.
-  const J = Math.min(restitution[r] * impulse[r], -mass[r] * (speed + restitution[r] * closing[r]));
-  if (J <= 0) return;
-  impulse[r] += J;
-  rows.normal[r] = rows.tangent[r] = 0; // what bounces holds nothing
-  push(contacts, rows, bodies, r, J * normalX[r], J * normalY[r], particles, particles.vx, particles.vy);
+  const { vx, vy } = particles;
+  for (let r = 0; r < count; r++) {
+    if (restitution[r] === 0 || closing[r] >= -resting || impulse[r] === 0) continue;
+    const speed = partingSpeed(contacts, second, particles, r);
+    // No more than its share of the impulse that stopped the hit (Poisson): where several hit at once, more would add energy.
+    const J = Math.min(restitution[r] * impulse[r], -mass[r] * (speed + restitution[r] * closing[r]));
+    if (J <= 0) continue;
+    impulse[r] += J;
+    rows.normal[r] = rows.tangent[r] = 0; // what bounces holds nothing
+    push(contacts, rows, bodies, r, J * normalX[r], J * normalY[r], particles, vx, vy);
+  }
 }
 
 /**

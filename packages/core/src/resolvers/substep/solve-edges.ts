@@ -11,7 +11,7 @@ import { FASTEST_PUSH, OVER_RELAXATION } from './solve-contacts.ts';
  */
 export function solveEdges(
   { a, edgeEnd, edgeShare, normalX, normalY, friction, surfaceSpeed, impulse, tangentImpulse }: ContactBuffer,
-  { second, offset, mass, ofBody, lasting, closing, normal, tangent, fallX, fallY }: ContactRows,
+  { second, offset, mass, lasting, closing, normal, tangent, fallX, fallY }: ContactRows,
   start: number,
   end: number,
   { x, y, vx, vy, inverseMass }: ParticleArrays,
@@ -22,7 +22,6 @@ export function solveEdges(
 ): void {
   const perStep = 1 / h;
   for (let r = start; r < end; r++) {
-    if (ofBody[r] === 1) continue;
     const i = a[r];
     const j = second[r];
     const isEdge = edgeEnd[r] !== NO_EDGE;
