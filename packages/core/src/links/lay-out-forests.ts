@@ -1,34 +1,25 @@
 import { particleOf } from '../particles/end.ts';
+import type { Group } from './group-solver.ts';
 import type { Link } from './link.ts';
 import type { LinkGraph } from './link-graph.ts';
-import { NODE, POINT, type TreeTable } from './solve-tree.ts';
 import type { SpanningForests } from './spanning-forests.ts';
+import { NODE, type TreeTable, X, Y } from './tree-table.ts';
 
-/** Where in the table the trees stand. */
-export interface ForestLayout {
-  /** First row of each tree, and the end of the last. */
-  readonly trees: readonly number[];
-  /** First tree of each group, and the end of the last: a group is what links hold together. */
-  readonly groups: readonly number[];
-}
-
-/** Writes the rows of all trees: group by group, and in each forest by forest. */
+/** Writes the rows of all trees: group by group, and in each forest by forest. A group is what links hold together. */
 export function layOutForests(
   table: TreeTable,
   links: readonly Link[],
   graph: LinkGraph,
   forests: SpanningForests,
-): ForestLayout {
-  const trees: number[] = [];
-  const groups: number[] = [];
+): Group[] {
   const writer = new RowWriter(table, links, graph, forests.forest);
-  for (const members of groupsOf(forests)) {
-    groups.push(trees.length);
+  return Array.from(groupsOf(forests), (members) => {
+    const trees: number[] = [];
+    const from = table.nodeCount;
     for (let f = 0; f < forests.count; f++) writer.addForest(members, f, trees);
-  }
-  groups.push(trees.length);
-  trees.push(table.count);
-  return { trees, groups };
+    trees.push(table.rowCount);
+    return { trees, from, to: table.nodeCount };
+  });
 }
 
 /** The slots of each connected part; parts and slots in the order of the search. */
@@ -49,6 +40,8 @@ class RowWriter {
   readonly #forest: Int32Array;
   /** The last forest in which a slot was met. */
   readonly #met: Int32Array;
+  /** The node of a slot, or -1. */
+  readonly #node: Int32Array;
   /** The last child of a row. */
   readonly #lastChild: Int32Array;
   /** Rows to come, the next on top: link, then parent. */
@@ -61,6 +54,7 @@ class RowWriter {
     this.#graph = graph;
     this.#forest = forest;
     this.#met = new Int32Array(graph.slots).fill(-1);
+    this.#node = new Int32Array(graph.slots).fill(-1);
     this.#lastChild = new Int32Array(room);
     table.clear(room);
   }
@@ -72,7 +66,7 @@ class RowWriter {
       if (this.#met[member] === forest) continue;
       for (let i = first[member]; i < first[member + 1]; i++) {
         if (this.#forest[links[i]] !== forest) continue;
-        trees.push(this.#table.count);
+        trees.push(this.#table.rowCount);
         this.#addTree(member, forest);
         break;
       }
@@ -86,7 +80,7 @@ class RowWriter {
       const link = links[i];
       if (far[link] >= 0 || this.#forest[link] !== forest) continue;
       this.#addHolder(link, slot, -1);
-      this.#addBranch(slot, this.#table.count - 1, link, forest);
+      this.#addBranch(slot, this.#table.rowCount - 1, link, forest);
       return;
     }
     this.#addBranch(slot, -1, -1, forest);
@@ -95,22 +89,24 @@ class RowWriter {
   /** A slot and all that hangs on it, depth-first. */
   #addBranch(slot: number, parent: number, link: number, forest: number): void {
     const { near, far } = this.#graph;
-    const { slot: slotOf } = this.#table;
+    const { slot: slotOf, node: nodeOf } = this.#table;
     const waiting = this.#waiting;
-    this.#await(this.#add(slot, parent, link), forest);
+    this.#await(slot, this.#addSlot(slot, parent, link), forest);
     while (waiting.length > 0) {
       const row = waiting.pop() as number;
       const next = waiting.pop() as number;
-      const above = slotOf[row];
+      const above = slotOf[nodeOf[row]];
       if (far[next] < 0) this.#addHolder(next, above, row);
-      else this.#await(this.#add(near[next] === above ? far[next] : near[next], row, next), forest);
+      else {
+        const other = near[next] === above ? far[next] : near[next];
+        this.#await(other, this.#addSlot(other, row, next), forest);
+      }
     }
   }
 
   /** Notes the links that hang on a row. */
-  #await(row: number, forest: number): void {
+  #await(slot: number, row: number, forest: number): void {
     const { first, links } = this.#graph;
-    const slot = this.#table.slot[row];
     this.#met[slot] = forest;
     for (let i = first[slot + 1] - 1; i >= first[slot]; i--) {
       if (this.#forest[links[i]] === forest && links[i] !== this.#table.link[row]) this.#waiting.push(links[i], row);
@@ -121,15 +117,26 @@ class RowWriter {
   #addHolder(link: number, slot: number, parent: number): void {
     const { a, b } = this.#links[link];
     const end = particleOf(a)?.slot === slot ? b : a;
-    const row = this.#add(particleOf(end)?.slot ?? -1, parent, parent < 0 ? -1 : link);
-    this.#table.nodes[row * NODE + POINT] = end.x;
-    this.#table.nodes[row * NODE + POINT + 1] = end.y;
+    const node = this.#addNode(particleOf(end)?.slot ?? -1);
+    this.#table.nodes[node * NODE + X] = end.x;
+    this.#table.nodes[node * NODE + Y] = end.y;
+    this.#addRow(node, parent, parent < 0 ? -1 : link);
   }
 
-  #add(slot: number, parent: number, link: number): number {
+  #addSlot(slot: number, parent: number, link: number): number {
+    if (this.#node[slot] < 0) this.#node[slot] = this.#addNode(slot);
+    return this.#addRow(this.#node[slot], parent, link);
+  }
+
+  #addNode(slot: number): number {
+    this.#table.slot[this.#table.nodeCount] = slot;
+    return this.#table.nodeCount++;
+  }
+
+  #addRow(node: number, parent: number, link: number): number {
     const table = this.#table;
-    const row = table.count++;
-    table.slot[row] = slot;
+    const row = table.rowCount++;
+    table.node[row] = node;
     table.parent[row] = parent;
     table.link[row] = link;
     table.children[row] = 0;

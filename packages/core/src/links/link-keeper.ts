@@ -48,6 +48,10 @@ class LinkKeeper implements LinkSolver {
     this.#forest.solve(particles, h);
   }
 
+  finish(particles: ParticleArrays): void {
+    this.#forest.finish?.(particles);
+  }
+
   straighten(particles: ParticleArrays): void {
     this.bodies.straighten(particles);
     this.#forest.straighten?.(particles);

@@ -26,7 +26,7 @@ export interface Link extends ContactGenerator {
 
 /** Keeps links of one kind together, within the small steps of the sub-step resolver. Each world has one of its own for each kind. */
 export interface LinkSolver {
-  /** The impulse that each link held in the step so far, in the order of `setLinks`: positive pulls the ends together. Unit: N·s. */
+  /** The impulse that each link that can break held in the step so far, in the order of `setLinks`: positive pulls the ends together. Unit: N·s. */
   readonly impulse: Float64Array;
   /** Says which links to keep; called before a step when any came or went. */
   setLinks(links: readonly Link[], particles: ParticleArrays): void;
@@ -40,6 +40,8 @@ export interface LinkSolver {
   solve(particles: ParticleArrays, h: number): void;
   /** Rigid bodies that links make, if it knows any: contacts push these as a whole. */
   readonly bodies?: RigidMotion;
+  /** Goes on with the velocities at the end of the small step, where `solve` left their mean, once positions have moved. Writes vx, vy. */
+  finish?(particles: ParticleArrays): void;
   /** Brings links back to their lengths by position alone, after contacts have pushed their ends. Writes x, y. */
   straighten?(particles: ParticleArrays): void;
 }

@@ -1,110 +1,40 @@
-import type { ParticleArrays } from '../particles/particle-arrays.ts';
+import {
+  ALONG_X,
+  ALONG_Y,
+  CHANGE,
+  DAMPING,
+  GIVE,
+  GOAL,
+  INVERSE_MASS,
+  MOBILITY,
+  NODE,
+  OWN,
+  PER_X,
+  PER_Y,
+  ROW,
+  SUM,
+  TENSION,
+  type TreeTable,
+  VX,
+  VY,
+  X,
+  Y,
+} from './tree-table.ts';
 
-// Where the numbers of a link stand in `rows`. They stand in this file so that the compiler can count on them.
-/** Numbers a link. */
-export const ROW = 9;
-/** The length to keep. Unit: m. */
-export const LENGTH = 0;
-/** Inverse mass of the node; 0 where nothing moves it. Unit: 1/kg. */
-export const INVERSE_MASS = 1;
-/** Tension that is added, but for what comes from the parent. */
-export const OWN = 2;
-/** What an impulse on the parent along x adds to it. */
-export const PER_X = 3;
-/** What an impulse on the parent along y adds to it. */
-export const PER_Y = 4;
-/** From the node to its parent, the line along which the link pulls: x. Unit: m. */
-export const ALONG_X = 5;
-/** The same: y. Unit: m. */
-export const ALONG_Y = 6;
-/** Tension in this small step: impulse over length, positive pulls. Unit: N·s/m. */
-export const TENSION = 7;
-/** Its sum over the small steps so far. Unit: N·s/m. */
-export const TOTAL = 8;
-/** In the row of the root, which has no link: energy of motion that the links added. Unit: J. */
-export const GAIN = 7;
-
-// Where the numbers of a node stand in `nodes`.
-/** Numbers a node. */
-export const NODE = 8;
-/** How its velocity follows an impulse, as a matrix xx, xy, yx, yy, while the links below it are kept. Unit: 1/kg. */
-export const MOBILITY = 0;
-/** What the links below have changed its velocity by, x and y; later the impulse that it has got from links. */
-export const CHANGE = 4;
-/** Where it is, x and y, if it is a fixed point. Unit: m. */
-export const POINT = 6;
-
-/** Share of its length that a link may be off; beyond it, it is brought back in several small steps. */
-export const CORRECTION = 0.1;
-const TOO_LONG = (1 + CORRECTION) * (1 + CORRECTION);
-const TOO_SHORT = (1 - CORRECTION) * (1 - CORRECTION);
-/** A link that turns by more than 60° in a small step is none for this method: the square of the cosine. */
+/** A link that turns by more than 60° is none for this method: the square of the cosine. */
 const FAR = 0.25;
 /** Mobility that the links below leave to a link, as a share of what it is alone: less is rounding. */
 const HELD = 1e-9;
-/** One that turns by more than some 15° wants a second pass. */
-const WIDE = 0.93;
-/** A cable that pulls counts as taut up to this share short of its length. */
-export const NEAR = 0.02;
-/** One that did not pull is taut but for rounding. */
-export const ROUNDING = 1e-9;
-
-/** What came of it: it cannot be done this way. */
-export const FAILED = 0;
-/** It is done. */
-export const DONE = 1;
-/** It is done in a first approximation. */
-export const ROUGH = 2;
-
-/** A link of one length. */
-export const ROD = 0;
-/** A link of a greatest length. */
-export const CABLE = 1;
-/** A link of a greatest and a least length. */
-export const RANGE = 2;
+/** Ends nearer than this share of the length are at one place: the square. */
+const NOWHERE = 1e-12;
+/** Haste is 1 where a link turns by 0.2 radians at once: one over the square. */
+const PER_TURN = 25;
+/** And where a tension swings its ends by 0.7 radians. */
+const PER_SWING = 2;
 
 /**
- * Trees of links, one row for each node, depth-first: a parent before its children, and an only child right after its parent.
- * The link of a row joins its node to its parent's. An end that nothing moves, a fixed point or an infinite mass, has a row
- * of its own for each link that hangs on it, since nothing passes through it.
- */
-export class TreeTable {
-  count = 0;
-  /** Slot of the particle, or -1 for a fixed point. */
-  slot: Int32Array = new Int32Array(0);
-  /** Row of the parent, or -1 for a root, which has no link. */
-  parent: Int32Array = new Int32Array(0);
-  /** Number of the link, or -1 for a root. */
-  link: Int32Array = new Int32Array(0);
-  /** How many children a node has, 0, 1 or 2: more are counted as two. */
-  children: Uint8Array = new Uint8Array(0);
-  /** 1 for the last child of its parent: the first to be eliminated. */
-  isLast: Uint8Array = new Uint8Array(0);
-  /** `ROD`, `CABLE` or `RANGE`. */
-  kind: Uint8Array = new Uint8Array(0);
-  /** Numbers of links and of nodes. */
-  rows: Float64Array = new Float64Array(0);
-  nodes: Float64Array = new Float64Array(0);
-
-  /** Forgets all rows and makes room for so many. */
-  clear(room: number): void {
-    this.count = 0;
-    if (room <= this.slot.length) return;
-    this.slot = new Int32Array(room);
-    this.parent = new Int32Array(room);
-    this.link = new Int32Array(room);
-    this.children = new Uint8Array(room);
-    this.isLast = new Uint8Array(room);
-    this.kind = new Uint8Array(room);
-    this.rows = new Float64Array(room * ROW);
-    this.nodes = new Float64Array(room * NODE);
-  }
-}
-
-/**
- * From the leaves to the root: eliminates one link after the other, each with one division. Reads places and velocities of the
- * particles. Writes what `substitute` needs. Knows rods and cables that neither give nor damp nor jerk; `solve-stiff-tree.ts`
- * knows the rest.
+ * From the leaves to the root: eliminates one link after the other, each with one division. Reads the nodes. Writes what
+ * `substitute` needs. Returns how hasty the tree is: the square of by how much `h` is too long; `Infinity` where nothing came of it.
  *
  * An impulse λe on child c, -λe on parent p must make s · (u_p - u_c) = g, with u the changes of velocity, e the link at the
  * start of the small step, s at its end. Of the links below, c keeps its mobility W_c (the inverse of Featherstone's
@@ -113,19 +43,34 @@ export class TreeTable {
  *   λ = (s·(u_p - u_c) - g + k·J) / D,   D = s·(W_c + W_p)e,   u_p -= W_p e λ,   W_p -= (W_p e)(sᵀW_p) / D,
  *
  * J being the impulses that p gets from the links that come later. Along a chain W_c is 1/m less one product, and this is the
- * elimination of a tridiagonal matrix (D. Baraff, Linear-time dynamics using Lagrange multipliers, 1996).
+ * elimination of a tridiagonal matrix (D. Baraff, Linear-time dynamics using Lagrange multipliers, 1996). What gives adds to D.
  *
- * Pulling along e while the length holds at the end is SHAKE (J.-P. Ryckaert et al., 1977): it keeps the energy.
+ * Pulling along e while the length holds at the end is SHAKE (J.-P. Ryckaert et al., 1977): it keeps the energy. Pulling along s
+ * damps, and all matrices are symmetric.
+ * @param calm - How much of the way from start to end e is taken: at 1 something always comes of it.
+ * @param most - Share of its length by which a link that is farther off is brought back.
+ * @param plain - Whether all are rods that neither give nor damp, and nothing is to be calmed.
  */
 // biome-ignore lint/complexity/noExcessiveLinesPerFunction: numbers that go from function to function cost a box each
-export function eliminate(t: TreeTable, from: number, to: number, particles: ParticleArrays, h: number): number {
-  const { slot, parent, children, isLast, kind, rows, nodes } = t;
-  const { x, y, vx, vy } = particles;
-  let result = DONE;
+export function eliminate(
+  t: TreeTable,
+  from: number,
+  to: number,
+  h: number,
+  calm: number,
+  most: number,
+  plain: boolean,
+): number {
+  const { node, parent, children, isLast, side, rows, nodes } = t;
+  const tooLong = (1 + most) * (1 + most);
+  const tooShort = (1 - most) * (1 - most);
+  let haste = 0;
+  const perH = 1 / h;
   let cx = 0; // the child
   let cy = 0;
   let cvx = 0;
   let cvy = 0;
+  let w = 0;
   let belowSx = 0; // s, e, 1/D and λ of the link below it
   let belowSy = 0;
   let belowEx = 0;
@@ -133,86 +78,109 @@ export function eliminate(t: TreeTable, from: number, to: number, particles: Par
   let perD = 0;
   let tension = 0;
   let known = -1;
+  let branches = 0;
   for (let k = to - 1; k > from; k--) {
+    const i = k * ROW;
     const p = parent[k];
     if (k !== known) {
-      const c = slot[k];
-      cx = c < 0 ? nodes[k * NODE + POINT] : x[c];
-      cy = c < 0 ? nodes[k * NODE + POINT + 1] : y[c];
-      cvx = c < 0 ? 0 : vx[c];
-      cvy = c < 0 ? 0 : vy[c];
+      const n = node[k] * NODE;
+      cx = nodes[n + X];
+      cy = nodes[n + Y];
+      cvx = nodes[n + VX];
+      cvy = nodes[n + VY];
+      w = nodes[n + INVERSE_MASS];
+      branches = children[k];
     }
-    const q = slot[p];
-    const px = q < 0 ? nodes[p * NODE + POINT] : x[q];
-    const py = q < 0 ? nodes[p * NODE + POINT + 1] : y[q];
-    const pvx = q < 0 ? 0 : vx[q];
-    const pvy = q < 0 ? 0 : vy[q];
-    const i = k * ROW;
-    const ex = px - cx;
-    const ey = py - cy;
-    const sx = ex + h * (pvx - cvx);
-    const sy = ey + h * (pvy - cvy);
-    const length = rows[i + LENGTH];
-    const ee = ex * ex + ey * ey;
-    const ss = sx * sx + sy * sy;
+    const n = node[p] * NODE;
+    const px = nodes[n + X];
+    const py = nodes[n + Y];
+    const pvx = nodes[n + VX];
+    const pvy = nodes[n + VY];
+    const wp = nodes[n + INVERSE_MASS];
+    const dx = px - cx;
+    const dy = py - cy;
+    const gx = h * (pvx - cvx);
+    const gy = h * (pvy - cvy);
+    let goal = rows[i + GOAL];
+    let sx = dx + gx;
+    let sy = dy + gy;
+    let ex = dx;
+    let ey = dy;
+    let give = 0;
+    let held = true;
+    if (!plain) {
+      const damping = rows[i + DAMPING];
+      const blend = Math.max(damping, calm);
+      ex += blend * gx;
+      ey += blend * gy;
+      give = rows[i + GIVE];
+      held = side[k] !== 0;
+    }
+    let ss = sx * sx + sy * sy;
+    let gap = 0; // s·(u_p - u_c) - g
+    if (held) {
+      const square = goal * goal;
+      const dd = dx * dx + dy * dy;
+      const turn = dx * gy - dy * gx;
+      if (turn * turn > haste * (square * square)) haste = (turn * turn) / (square * square);
+      if (give === 0) {
+        if (dd > tooLong * square) goal = Math.sqrt(dd) - most * goal;
+        else if (dd < tooShort * square) goal = Math.sqrt(dd) + most * goal;
+      }
+      if (ss < NOWHERE * square) {
+        sx = ex = 0; // ends on one place define no direction: any will do
+        sy = ey = ss = goal;
+        gap = (-goal * goal) / h;
+        ss = goal * goal;
+      } else {
+        const s = Math.sqrt(ss);
+        gap = (s - goal) * s * perH;
+        const ahead = dx * sx + dy * sy;
+        if (calm < 1 && (ahead <= 0 || ahead * ahead < FAR * ss * dd)) return Infinity;
+      }
+    }
     const se = sx * ex + sy * ey;
-    const s = Math.sqrt(ss);
-    const slack = kind[k] === CABLE && s < length * (1 - (rows[i + TENSION] > 0 ? NEAR : ROUNDING));
-    const g = ((length - s) * s) / h;
-    const w = rows[i + INVERSE_MASS];
-    let own = w * se; // s·W_c e
-    let mean = w * ee; // e·W_c e
-    let gap = -g; // s·(u_p - u_c) - g
-    if (children[k] === 1) {
+    let own = (w + wp) * se; // s·W_c e + s·W_p e
+    if (branches === 1) {
       const m = w * (sx * belowEx + sy * belowEy);
       const less = w * (belowSx * ex + belowSy * ey) * perD;
+      rows[i + ROW + PER_X] = less;
       own -= m * less;
-      mean -= w * (ex * belowEx + ey * belowEy) * less;
       gap += m * tension;
-    } else if (children[k] > 1) {
-      const n = k * NODE;
-      const ax = nodes[n] * ex + nodes[n + 1] * ey;
-      const ay = nodes[n + 2] * ex + nodes[n + 3] * ey;
-      own = sx * ax + sy * ay;
-      mean = ex * ax + ey * ay;
-      gap -= sx * nodes[n + CHANGE] + sy * nodes[n + CHANGE + 1];
+    } else if (branches > 1) {
+      const ax = rows[i + MOBILITY] * ex + rows[i + MOBILITY + 1] * ey;
+      const ay = rows[i + MOBILITY + 2] * ex + rows[i + MOBILITY + 3] * ey;
+      own = sx * ax + sy * ay + wp * se;
+      gap -= sx * rows[i + CHANGE] + sy * rows[i + CHANGE + 1];
     }
-    const wp = rows[p * ROW + INVERSE_MASS];
-    if (!slack) {
-      const d = own + wp * se;
-      mean += wp * ee;
-      if (se <= 0 || se * se < FAR * ss * ee || !(d > 0.3 * mean && d > HELD * (w + wp) * ee)) return FAILED;
-      if (d < 0.7 * mean) result = ROUGH;
-      if (ee > TOO_LONG * length * length || ee < TOO_SHORT * length * length) return FAILED;
-      if (se * se < WIDE * ss * ee) result = ROUGH;
-    }
-    if (children[p] === 1) {
-      perD = slack ? 0 : 1 / (own + wp * se);
+    if (give > 0) own += (give * Math.sqrt(ss * (ex * ex + ey * ey))) / (h * h);
+    const least = HELD * (w + wp) * ss; // or else the links before it hold it already
+    branches = children[p];
+    if (branches === 1) {
+      if (calm < 1 && held && own < 0) return Infinity;
+      perD = held && own > least ? 1 / own : 0;
       tension = gap * perD;
-      rows[i + PER_X] = wp * sx * perD;
-      rows[i + PER_Y] = wp * sy * perD;
     } else {
-      const n = p * NODE;
+      const j = p * ROW;
       if (isLast[k] === 1) {
-        nodes[n] = nodes[n + 3] = wp;
-        nodes[n + 1] = nodes[n + 2] = nodes[n + CHANGE] = nodes[n + CHANGE + 1] = 0;
+        rows[j + MOBILITY] = rows[j + MOBILITY + 3] = wp;
+        rows[j + MOBILITY + 1] = rows[j + MOBILITY + 2] = rows[j + CHANGE] = rows[j + CHANGE + 1] = 0;
       }
-      const ax = nodes[n] * ex + nodes[n + 1] * ey;
-      const ay = nodes[n + 2] * ex + nodes[n + 3] * ey;
-      const d = own + sx * ax + sy * ay;
-      if (!(slack || d > HELD * (w + wp) * ee)) return FAILED; // the links before it hold it already
-      perD = slack ? 0 : 1 / d;
-      tension = (gap + sx * nodes[n + CHANGE] + sy * nodes[n + CHANGE + 1]) * perD;
-      const kx = (sx * nodes[n] + sy * nodes[n + 2]) * perD;
-      const ky = (sx * nodes[n + 1] + sy * nodes[n + 3]) * perD;
+      const ax = rows[j + MOBILITY] * ex + rows[j + MOBILITY + 1] * ey;
+      const ay = rows[j + MOBILITY + 2] * ex + rows[j + MOBILITY + 3] * ey;
+      const d = own - wp * se + sx * ax + sy * ay;
+      perD = held && d > least ? 1 / d : 0;
+      tension = (gap + sx * rows[j + CHANGE] + sy * rows[j + CHANGE + 1]) * perD;
+      const kx = (sx * rows[j + MOBILITY] + sy * rows[j + MOBILITY + 2]) * perD;
+      const ky = (sx * rows[j + MOBILITY + 1] + sy * rows[j + MOBILITY + 3]) * perD;
       rows[i + PER_X] = kx;
       rows[i + PER_Y] = ky;
-      nodes[n] -= ax * kx;
-      nodes[n + 1] -= ax * ky;
-      nodes[n + 2] -= ay * kx;
-      nodes[n + 3] -= ay * ky;
-      nodes[n + CHANGE] -= ax * tension;
-      nodes[n + CHANGE + 1] -= ay * tension;
+      rows[j + MOBILITY] -= ax * kx;
+      rows[j + MOBILITY + 1] -= ax * ky;
+      rows[j + MOBILITY + 2] -= ay * kx;
+      rows[j + MOBILITY + 3] -= ay * ky;
+      rows[j + CHANGE] -= ax * tension;
+      rows[j + CHANGE + 1] -= ay * tension;
     }
     rows[i + OWN] = tension;
     rows[i + ALONG_X] = ex;
@@ -225,106 +193,72 @@ export function eliminate(t: TreeTable, from: number, to: number, particles: Par
     cy = py;
     cvx = pvx;
     cvy = pvy;
+    w = wp;
     known = p;
   }
-  return result;
+  return haste * PER_TURN;
 }
 
-/** What `substitute` found: a tension that swings its ends too swiftly for `eliminate`. */
-export const SWIFT = 1;
-/** And a cable that pushes. */
-export const PUSHES = 2;
-
-/**
- * From the root to the leaves: finds the tensions, and gives the particles their velocities.
- * @param kept - 1 if the tensions come on top of those that are there, 0 if they are the first of the small step.
- */
+/** From the root to the leaves: finds the tensions, and gives the nodes their velocities. Returns how hasty the tree is. */
 export function substitute(
-  t: TreeTable,
+  { node, parent, children, rows, nodes }: TreeTable,
   from: number,
   to: number,
-  particles: ParticleArrays,
   h: number,
-  kept: number,
 ): number {
-  const { slot, parent, children, kind, rows, nodes } = t;
-  const { vx, vy } = particles;
-  let found = 0;
-  let gain = 0;
+  let swing = 0;
   let jx = 0; // impulse on the parent so far
   let jy = 0;
-  nodes[from * NODE + CHANGE] = nodes[from * NODE + CHANGE + 1] = 0;
+  let tension = 0;
+  let known = -1;
+  let n = 0;
+  let wp = 0;
+  let branches = 0;
+  rows[from * ROW + CHANGE] = rows[from * ROW + CHANGE + 1] = rows[(from + 1) * ROW + PER_X] = 0;
   for (let k = from + 1; k < to; k++) {
     const i = k * ROW;
     const p = parent[k];
-    const n = p * NODE + CHANGE;
-    const several = children[p] > 1;
-    if (several) {
-      jx = nodes[n];
-      jy = nodes[n + 1];
+    if (p !== known) {
+      n = node[p] * NODE;
+      wp = nodes[n + INVERSE_MASS];
+      branches = children[p];
     }
-    const more = rows[i + OWN] + rows[i + PER_X] * jx + rows[i + PER_Y] * jy;
-    const ix = more * rows[i + ALONG_X];
-    const iy = more * rows[i + ALONG_Y];
-    const wp = rows[p * ROW + INVERSE_MASS];
-    jx -= ix;
-    jy -= iy;
-    if (several) {
-      nodes[n] = jx;
-      nodes[n + 1] = jy;
-      jx = -ix;
-      jy = -iy;
+    const c = node[k] * NODE;
+    const w = nodes[c + INVERSE_MASS];
+    const ex = rows[i + ALONG_X];
+    const ey = rows[i + ALONG_Y];
+    if (branches === 1) {
+      tension = rows[i + OWN] + rows[i + PER_X] * tension;
+      jx -= tension * ex;
+      jy -= tension * ey;
+      nodes[n + VX] += wp * jx;
+      nodes[n + VY] += wp * jy;
+    } else {
+      const j = p * ROW;
+      jx = rows[j + CHANGE];
+      jy = rows[j + CHANGE + 1];
+      tension = rows[i + OWN] + rows[i + PER_X] * jx + rows[i + PER_Y] * jy;
+      rows[j + CHANGE] -= tension * ex;
+      rows[j + CHANGE + 1] -= tension * ey;
+      nodes[n + VX] -= wp * tension * ex;
+      nodes[n + VY] -= wp * tension * ey;
     }
-    if (wp > 0) {
-      const s = slot[p];
-      gain += jx * (vx[s] + 0.5 * wp * jx) + jy * (vy[s] + 0.5 * wp * jy);
-      vx[s] += wp * jx;
-      vy[s] += wp * jy;
+    jx = tension * ex;
+    jy = tension * ey;
+    branches = children[k];
+    if (branches !== 1) {
+      nodes[c + VX] += w * jx;
+      nodes[c + VY] += w * jy;
+      rows[i + CHANGE] = jx;
+      rows[i + CHANGE + 1] = jy;
     }
-    const w = rows[i + INVERSE_MASS];
-    if (children[k] !== 1) {
-      if (w > 0) {
-        const s = slot[k];
-        gain += ix * (vx[s] + 0.5 * w * ix) + iy * (vy[s] + 0.5 * w * iy);
-        vx[s] += w * ix;
-        vy[s] += w * iy;
-      }
-      nodes[k * NODE + CHANGE] = ix;
-      nodes[k * NODE + CHANGE + 1] = iy;
-    }
-    jx = ix;
-    jy = iy;
-    const tension = kept * rows[i + TENSION] + more;
-    rows[i + OWN] = more;
-    rows[i + PER_X] = rows[i + TENSION];
     rows[i + TENSION] = tension;
-    rows[i + TOTAL] += more;
-    if (h * tension * (w + wp) > 1) found |= SWIFT;
-    if (tension < 0 && kind[k] === CABLE) found |= PUSHES;
+    rows[i + SUM] += tension;
+    const swings = Math.abs(tension) * (w + wp);
+    if (swings > swing) swing = swings;
+    known = k;
+    n = c;
+    wp = w;
   }
-  rows[from * ROW + GAIN] = gain;
-  return found;
-}
-
-/** Undoes the last `substitute`. */
-export function undo(t: TreeTable, from: number, to: number, { vx, vy }: ParticleArrays): void {
-  const { slot, parent, rows } = t;
-  for (let k = from + 1; k < to; k++) {
-    const i = k * ROW;
-    const more = rows[i + OWN];
-    const c = slot[k];
-    const p = slot[parent[k]];
-    const w = rows[i + INVERSE_MASS];
-    const wp = rows[parent[k] * ROW + INVERSE_MASS];
-    if (w > 0) {
-      vx[c] -= w * more * rows[i + ALONG_X];
-      vy[c] -= w * more * rows[i + ALONG_Y];
-    }
-    if (wp > 0) {
-      vx[p] += wp * more * rows[i + ALONG_X];
-      vy[p] += wp * more * rows[i + ALONG_Y];
-    }
-    rows[i + TENSION] = rows[i + PER_X];
-    rows[i + TOTAL] -= more;
-  }
+  return swing * h * PER_SWING;
 }

@@ -1,6 +1,5 @@
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
-import { INVERSE_MASS, NODE, POINT, ROW, type TreeTable } from './solve-tree.ts';
-import type { StiffTable } from './stiff-table.ts';
+import { GIVE, INVERSE_MASS, NODE, ROW, type TreeTable, X, Y } from './tree-table.ts';
 
 /** What counts as no deviation, as a share of twice the length. */
 const NONE = 1e-9;
@@ -11,22 +10,19 @@ const NONE = 1e-9;
  * stop: a rod that stands on the floor trembles for ever, and a column of three or more builds it up. What no contact touches is at its
  * length already and stays as it is. Reads the limits and inverse masses. Writes x, y.
  */
-export function straighten(
-  { slot, parent, rows, nodes }: TreeTable,
-  { minLength, maxLength, compliance }: StiffTable,
-  from: number,
-  to: number,
-  { x, y }: ParticleArrays,
-): void {
-  for (let k = from + 1; k < to; k++) {
-    const p = parent[k];
-    const i = slot[k];
-    const j = slot[p];
-    const wi = rows[k * ROW + INVERSE_MASS];
-    const wj = rows[p * ROW + INVERSE_MASS];
-    if (compliance[k] > 0 || wi + wj === 0) continue;
-    const dx = (j < 0 ? nodes[p * NODE + POINT] : x[j]) - (i < 0 ? nodes[k * NODE + POINT] : x[i]);
-    const dy = (j < 0 ? nodes[p * NODE + POINT + 1] : y[j]) - (i < 0 ? nodes[k * NODE + POINT + 1] : y[i]);
+export function straighten(t: TreeTable, from: number, to: number, { x, y }: ParticleArrays): void {
+  const { node, slot, parent, rows, nodes, minLength, maxLength } = t;
+  for (let k = from; k < to; k++) {
+    if (parent[k] < 0 || rows[k * ROW + GIVE] > 0) continue;
+    const m = node[k];
+    const n = node[parent[k]];
+    const i = slot[m];
+    const j = slot[n];
+    const wi = nodes[m * NODE + INVERSE_MASS];
+    const wj = nodes[n * NODE + INVERSE_MASS];
+    if (wi + wj === 0) continue;
+    const dx = (j < 0 ? nodes[n * NODE + X] : x[j]) - (i < 0 ? nodes[m * NODE + X] : x[i]);
+    const dy = (j < 0 ? nodes[n * NODE + Y] : y[j]) - (i < 0 ? nodes[m * NODE + Y] : y[i]);
     const square = dx * dx + dy * dy;
     const wanted = Math.max(minLength[k] * minLength[k], Math.min(maxLength[k] * maxLength[k], square));
     const over = square - wanted;

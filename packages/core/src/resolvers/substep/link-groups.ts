@@ -43,6 +43,11 @@ export class LinkGroups {
     }
   }
 
+  /** Goes on with the velocities at the end of the small step. Writes vx, vy. */
+  finish(particles: ParticleArrays): void {
+    for (let s = 0; s < this.#list.length; s++) this.#list[s].finish?.(particles);
+  }
+
   /** Undoes by position what contacts have done to the lengths. Writes x, y. */
   straighten(particles: ParticleArrays): void {
     for (let s = 0; s < this.#list.length; s++) this.#list[s].straighten?.(particles);

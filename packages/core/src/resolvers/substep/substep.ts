@@ -120,6 +120,7 @@ class SmallSteps {
       this.#contacts.solve(simulation);
       if (guards) this.#guard.after(particles);
       if (!move(particles, h)) return false;
+      this.#links.finish(particles);
       if (contacts.count > 0) {
         this.#links.straighten(particles);
         this.#contacts.keepOut(simulation);
