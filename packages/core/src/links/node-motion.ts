@@ -37,7 +37,10 @@ export function advance({ slot, nodes }: TreeTable, from: number, to: number, h:
   }
 }
 
-/** Gives the particles the velocities that lead to where the nodes are in `h` seconds. The nodes keep what is left to their own. */
+/**
+ * Gives the particles the velocities that lead to where the nodes are in `h` seconds. The nodes keep what is left to their own, and, as
+ * their place, which is no longer needed, what was given.
+ */
 export function scatterMean(
   { slot, nodes }: TreeTable,
   from: number,
@@ -54,16 +57,30 @@ export function scatterMean(
     const meanY = (nodes[i + Y] - y[s]) * perH;
     nodes[i + VX] -= meanX;
     nodes[i + VY] -= meanY;
+    nodes[i + X] = meanX;
+    nodes[i + Y] = meanY;
     vx[s] = meanX;
     vy[s] = meanY;
   }
 }
 
-/** Adds to the velocities of the particles what `scatterMean` left. */
+/**
+ * Adds to the velocities of the particles what `scatterMean` left, unless contacts, which saw the mean alone, would have done more work
+ * on them than they meant to. Without it momentum is the same, and there is less energy.
+ */
 export function addRest({ slot, nodes }: TreeTable, from: number, to: number, { vx, vy }: ParticleArrays): void {
+  let work = 0;
   for (let n = from; n < to; n++) {
     const i = n * NODE;
-    if (nodes[i + INVERSE_MASS] === 0) continue;
+    const m = nodes[i + MASS];
+    if (m === 0) continue;
+    const s = slot[n];
+    work += m * ((vx[s] - nodes[i + X]) * nodes[i + VX] + (vy[s] - nodes[i + Y]) * nodes[i + VY]);
+  }
+  if (work > 0) return;
+  for (let n = from; n < to; n++) {
+    const i = n * NODE;
+    if (nodes[i + MASS] === 0) continue;
     vx[slot[n]] += nodes[i + VX];
     vy[slot[n]] += nodes[i + VY];
   }
