@@ -70,10 +70,11 @@ export class GroupSolver {
     const { from, to } = this.#group;
     let pieces = this.#pieces;
     gather(table, from, to, particles);
-    const surplus = this.#gained - MOST_IN_ALL * this.#energy();
+    const found = this.#energy();
+    const surplus = this.#gained - MOST_IN_ALL * found;
     const taken = surplus > 0 ? slow(table, from, to, GENTLY * surplus) : 0;
+    const energy = found - taken;
     this.#gained -= taken;
-    const energy = this.#energy();
     for (;;) {
       const need = this.#run(pieces, h, 0);
       if (need <= WORSE * pieces && (pieces === MOST || this.#accepts(energy))) {
@@ -81,7 +82,7 @@ export class GroupSolver {
         break;
       }
       this.#undo(particles);
-      slow(table, from, to, taken);
+      if (taken > 0) slow(table, from, to, taken);
       if (pieces === MOST) {
         this.#run(MOST, h, 1);
         break;

@@ -64,8 +64,8 @@ export function eliminate(
   const { node, parent, children, isLast, side, rows, nodes } = t;
   const tooLong = (1 + most) * (1 + most);
   const tooShort = (1 - most) * (1 - most);
-  let haste = 0;
   const perH = 1 / h;
+  let haste = 0;
   let cx = 0; // the child
   let cy = 0;
   let cvx = 0;
@@ -109,8 +109,7 @@ export function eliminate(
     let give = 0;
     let held = true;
     if (!plain) {
-      const damping = rows[i + DAMPING];
-      const blend = Math.max(damping, calm);
+      const blend = Math.max(rows[i + DAMPING], calm);
       ex += blend * gx;
       ey += blend * gy;
       give = rows[i + GIVE];
@@ -129,8 +128,8 @@ export function eliminate(
       }
       if (ss < NOWHERE * square) {
         sx = ex = 0; // ends on one place define no direction: any will do
-        sy = ey = ss = goal;
-        gap = (-goal * goal) / h;
+        sy = ey = goal;
+        gap = -goal * goal * perH;
         ss = goal * goal;
       } else {
         const s = Math.sqrt(ss);
@@ -140,7 +139,7 @@ export function eliminate(
       }
     }
     const se = sx * ex + sy * ey;
-    let own = (w + wp) * se; // s·W_c e + s·W_p e
+    let own = (w + wp) * se; // D, as long as the parent has no other child
     if (branches === 1) {
       const m = w * (sx * belowEx + sy * belowEy);
       const less = w * (belowSx * ex + belowSy * ey) * perD;
@@ -154,7 +153,7 @@ export function eliminate(
       gap -= sx * rows[i + CHANGE] + sy * rows[i + CHANGE + 1];
     }
     if (give > 0) own += (give * Math.sqrt(ss * (ex * ex + ey * ey))) / (h * h);
-    const least = HELD * (w + wp) * ss; // or else the links before it hold it already
+    const least = HELD * (w + wp) * ss; // or else other links hold it already
     branches = children[p];
     if (branches === 1) {
       if (calm < 1 && held && own < 0) return Infinity;

@@ -6,11 +6,14 @@ import { NODE, ROW, SUM, type TreeTable, VX, VY } from './tree-table.ts';
 const ROUNDS = 8;
 const NUMBERS = 3;
 
-/** What links a group has: rods that neither give nor damp, rods, or any. */
-export type Kind = typeof PLAIN | typeof RODS | typeof ANY;
+/** Rods that neither give nor damp. */
 export const PLAIN = 0;
+/** Rods. */
 export const RODS = 1;
+/** Links of any kind. */
 export const ANY = 2;
+/** What links a group has. */
+export type Kind = typeof PLAIN | typeof RODS | typeof ANY;
 
 /** Solves single trees. */
 export class TreeSolver {

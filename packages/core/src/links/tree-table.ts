@@ -8,7 +8,7 @@ export const GIVE = 1;
 export const DAMPING = 2;
 /** Tension, but for what comes from the parent. */
 export const OWN = 3;
-/** What an impulse on the parent along x adds to it. */
+/** What an impulse on the parent along x adds to it; for an only child, what the tension of the parent's own link does. */
 export const PER_X = 4;
 /** What an impulse on the parent along y adds to it. */
 export const PER_Y = 5;
@@ -29,11 +29,13 @@ export const CHANGE = 15;
 
 /** Numbers a node in `nodes`. */
 export const NODE = 6;
-/** Where it is: x and y. Unit: m. */
+/** Where it is: x. Unit: m. */
 export const X = 0;
+/** The same: y. Unit: m. */
 export const Y = 1;
-/** Its velocity: x and y. Unit: m/s. */
+/** Its velocity: x. Unit: m/s. */
 export const VX = 2;
+/** The same: y. Unit: m/s. */
 export const VY = 3;
 /** Inverse mass; 0 where nothing moves it. Unit: 1/kg. */
 export const INVERSE_MASS = 4;
