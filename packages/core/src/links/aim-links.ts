@@ -1,4 +1,4 @@
-import { GOAL, NODE, ROW, TENSION, type TreeTable, VX, VY, X, Y } from './tree-table.ts';
+import { GOAL, NODE, PIECE, ROW, TENSION, type TreeTable, VX, VY, X, Y } from './tree-table.ts';
 
 /** A cable that pulls counts as taut up to this share short of its length. */
 const NEAR = 0.02;
@@ -11,7 +11,8 @@ const LOOSE = 0.001;
  * Decides at which of its limits each link of a tree is that has two, and for which length it aims: one that jerks is let spring back.
  * Reads the nodes, the limits, the tensions. Writes `side`, `taut` and the goals.
  */
-export function aimLinks(t: TreeTable, from: number, to: number, h: number): void {
+export function aimLinks(t: TreeTable, from: number, to: number): void {
+  const h = t.shared[PIECE];
   const { minLength, maxLength, restitution, side, taut, rows } = t;
   for (let k = from + 1; k < to; k++) {
     if (side[k] === 2) continue;

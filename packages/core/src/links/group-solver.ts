@@ -1,7 +1,7 @@
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
-import { addRest, advance, elasticEnergy, gather, kineticEnergy, scatter, scatterMean, slow } from './node-motion.ts';
+import { addRest, advance, gather, measureMotion, measureStretch, scatter, scatterMean, slow } from './node-motion.ts';
 import { ANY, type Kind, TreeSolver } from './tree-solver.ts';
-import { ROW, SUM, TOTAL, type TreeTable } from './tree-table.ts';
+import { CALM, ENERGY, HASTE, MOST_BACK, PIECE, ROW, SUM, TOTAL, type TreeTable } from './tree-table.ts';
 
 /** Into how many pieces a small step is divided at most. */
 const MOST = 32;
@@ -55,6 +55,10 @@ export class GroupSolver {
   /** How many small steps long fewer pieces would have done. */
   #spared = 0;
   #divided = false;
+  /** How many pieces the small step should have been. */
+  #need = 0.5;
+  /** Energy before the small step. Unit: J. */
+  #energy = 0.5;
   /** What solving has added to the energy, less what it took out. Unit: J. */
   #gained = 0;
 
@@ -70,15 +74,15 @@ export class GroupSolver {
     const { from, to } = this.#group;
     let pieces = this.#pieces;
     gather(table, from, to, particles);
-    const found = this.#energy();
-    const surplus = this.#gained - MOST_IN_ALL * found;
+    this.#measure();
+    const surplus = this.#gained - MOST_IN_ALL * table.shared[ENERGY];
     const taken = surplus > 0 ? slow(table, from, to, GENTLY * surplus) : 0;
-    const energy = found - taken;
+    this.#energy = table.shared[ENERGY] - taken;
     this.#gained -= taken;
     for (;;) {
-      const need = this.#run(pieces, h, 0);
-      if (need <= WORSE * pieces && (pieces === MOST || this.#accepts(energy))) {
-        this.#choose(pieces, need);
+      this.#run(pieces, h, 0);
+      if (this.#need <= WORSE * pieces && (pieces === MOST || this.#accepts())) {
+        this.#choose(pieces);
         break;
       }
       this.#undo(particles);
@@ -87,9 +91,9 @@ export class GroupSolver {
         this.#run(MOST, h, 1);
         break;
       }
-      pieces = Math.min(MOST, Math.max(2 * pieces, Math.ceil(need)));
+      pieces = Math.min(MOST, Math.max(2 * pieces, Math.ceil(this.#need)));
     }
-    if (pieces === MOST && !this.#accepts(energy)) slow(table, from, to, this.#energy() - energy);
+    if (pieces === MOST && !this.#accepts()) slow(table, from, to, table.shared[ENERGY] - this.#energy);
     this.#divided = pieces > 1;
     if (this.#divided) scatterMean(table, from, to, particles, h);
     else scatter(table, from, to, particles);
@@ -101,19 +105,22 @@ export class GroupSolver {
     if (this.#divided) addRest(this.#table, this.#group.from, this.#group.to, particles);
   }
 
-  /** Goes through a small step in pieces. Returns how many it should have been: `Infinity` if it was given up. */
-  #run(pieces: number, h: number, calm: number): number {
+  /** Goes through a small step in pieces. Finds out how many it should have been: `Infinity` if it was given up. */
+  #run(pieces: number, h: number, calm: number): void {
     const { trees, from, to } = this.#group;
-    const piece = h / pieces;
-    let haste = 0;
-    for (let n = 0; n < pieces && haste < Infinity; n++) {
+    const { shared } = this.#table;
+    shared[PIECE] = h / pieces;
+    shared[CALM] = calm;
+    shared[MOST_BACK] = CORRECTION / pieces;
+    shared[HASTE] = 0;
+    this.#need = Infinity;
+    for (let n = 0; n < pieces; n++) {
       for (let t = 0; t < trees.length - 1; t++) {
-        const found = this.#solver.solve(trees[t], trees[t + 1], this.kind, piece, calm, CORRECTION / pieces);
-        haste = Math.max(haste, found);
+        if (!this.#solver.solve(trees[t], trees[t + 1], this.kind)) return;
       }
-      if (pieces > 1 || this.elastic) advance(this.#table, from, to, piece);
+      if (pieces > 1 || this.elastic) advance(this.#table, from, to);
     }
-    return pieces * Math.sqrt(haste);
+    this.#need = pieces * Math.sqrt(shared[HASTE]);
   }
 
   #undo(particles: ParticleArrays): void {
@@ -134,24 +141,26 @@ export class GroupSolver {
   }
 
   /** More pieces at once, fewer after a while. */
-  #choose(pieces: number, need: number): void {
+  #choose(pieces: number): void {
+    const need = this.#need;
     const wanted = Math.max(1, Math.min(MOST, Math.ceil(need)));
     this.#spared = need < SPARE * (pieces - 1) ? this.#spared + 1 : 0;
     this.#pieces = wanted > pieces || this.#spared === PATIENCE ? wanted : pieces;
     if (this.#spared === PATIENCE) this.#spared = 0;
   }
 
-  /** Energy of motion, and of what gives. Unit: J. */
-  #energy(): number {
+  /** Measures the energy of motion, and of what gives. */
+  #measure(): void {
     const { trees, from, to } = this.#group;
-    const motion = kineticEnergy(this.#table, from, to);
-    return this.elastic ? motion + elasticEnergy(this.#table, trees[0], trees[trees.length - 1]) : motion;
+    measureMotion(this.#table, from, to);
+    if (this.elastic) measureStretch(this.#table, trees[0], trees[trees.length - 1]);
   }
 
   /** Whether a gain of energy is no more than what the method itself wavers by; if so, it is booked. */
-  #accepts(before: number): boolean {
-    const energy = this.#energy();
-    const gain = energy - before;
+  #accepts(): boolean {
+    this.#measure();
+    const energy = this.#table.shared[ENERGY];
+    const gain = energy - this.#energy;
     let gained = this.#gained + gain;
     if (!(gain <= 0)) {
       gained = Math.max(gained, gain - MOST_CREDIT * energy);

@@ -1,5 +1,5 @@
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
-import { GIVE, INVERSE_MASS, MASS, NODE, ROW, type TreeTable, VX, VY, X, Y } from './tree-table.ts';
+import { ENERGY, GIVE, INVERSE_MASS, MASS, NODE, PIECE, ROW, type TreeTable, VX, VY, X, Y } from './tree-table.ts';
 
 /** Reads where nodes are, and how fast. */
 export function gather({ slot, nodes }: TreeTable, from: number, to: number, { x, y, vx, vy }: ParticleArrays): void {
@@ -27,8 +27,9 @@ export function scatter({ slot, nodes }: TreeTable, from: number, to: number, { 
   }
 }
 
-/** Moves nodes on by `h` seconds. */
-export function advance({ slot, nodes }: TreeTable, from: number, to: number, h: number): void {
+/** Moves nodes on by a piece. */
+export function advance({ slot, nodes, shared }: TreeTable, from: number, to: number): void {
+  const h = shared[PIECE];
   for (let n = from; n < to; n++) {
     if (slot[n] < 0) continue;
     const i = n * NODE;
@@ -86,19 +87,19 @@ export function addRest({ slot, nodes }: TreeTable, from: number, to: number, { 
   }
 }
 
-/** The energy of motion of nodes. Unit: J. */
-export function kineticEnergy({ nodes }: TreeTable, from: number, to: number): number {
+/** Works out the energy of motion of nodes. */
+export function measureMotion({ nodes, shared }: TreeTable, from: number, to: number): void {
   let sum = 0;
   for (let i = from * NODE; i < to * NODE; i += NODE) {
     const vx = nodes[i + VX];
     const vy = nodes[i + VY];
     sum += nodes[i + MASS] * (vx * vx + vy * vy);
   }
-  return sum / 2;
+  shared[ENERGY] = sum / 2;
 }
 
-/** The energy of links that give and are beyond their limits. Unit: J. */
-export function elasticEnergy(t: TreeTable, from: number, to: number): number {
+/** Adds to it the energy of links that give and are beyond their limits. */
+export function measureStretch(t: TreeTable, from: number, to: number): void {
   const { node, parent, rows, nodes, minLength, maxLength } = t;
   let sum = 0;
   for (let k = from; k < to; k++) {
@@ -112,7 +113,7 @@ export function elasticEnergy(t: TreeTable, from: number, to: number): number {
     const over = length - Math.max(minLength[k], Math.min(maxLength[k], length));
     sum += (over * over) / give;
   }
-  return sum / 2;
+  t.shared[ENERGY] += sum / 2;
 }
 
 /**

@@ -1,16 +1,20 @@
 import {
   ALONG_X,
   ALONG_Y,
+  CALM,
   CHANGE,
   DAMPING,
   GIVE,
   GOAL,
+  HASTE,
   INVERSE_MASS,
   MOBILITY,
+  MOST_BACK,
   NODE,
   OWN,
   PER_X,
   PER_Y,
+  PIECE,
   ROW,
   SUM,
   TENSION,
@@ -34,7 +38,7 @@ const PER_SWING = 2;
 
 /**
  * From the leaves to the root: eliminates one link after the other, each with one division. Reads the nodes. Writes what
- * `substitute` needs. Returns how hasty the tree is: the square of by how much `h` is too long; `Infinity` where nothing came of it.
+ * `substitute` needs, and how hasty the tree is. Returns whether something came of it: if all is calm, always.
  *
  * An impulse λe on child c, -λe on parent p must make s · (u_p - u_c) = g, with u the changes of velocity, e the link at the
  * start of the small step, s at its end. Of the links below, c keeps its mobility W_c (the inverse of Featherstone's
@@ -47,21 +51,14 @@ const PER_SWING = 2;
  *
  * Pulling along e while the length holds at the end is SHAKE (J.-P. Ryckaert et al., 1977): it keeps the energy. Pulling along s
  * damps, and all matrices are symmetric.
- * @param calm - How much of the way from start to end e is taken: at 1 something always comes of it.
- * @param most - Share of its length by which a link that is farther off is brought back.
  * @param plain - Whether all are rods that neither give nor damp, and nothing is to be calmed.
  */
 // biome-ignore lint/complexity/noExcessiveLinesPerFunction: numbers that go from function to function cost a box each
-export function eliminate(
-  t: TreeTable,
-  from: number,
-  to: number,
-  h: number,
-  calm: number,
-  most: number,
-  plain: boolean,
-): number {
-  const { node, parent, children, isLast, side, rows, nodes } = t;
+export function eliminate(t: TreeTable, from: number, to: number, plain: boolean): boolean {
+  const { node, parent, children, isLast, side, rows, nodes, shared } = t;
+  const h = shared[PIECE];
+  const calm = shared[CALM];
+  const most = shared[MOST_BACK];
   const tooLong = (1 + most) * (1 + most);
   const tooShort = (1 - most) * (1 - most);
   const perH = 1 / h;
@@ -135,7 +132,7 @@ export function eliminate(
         const s = Math.sqrt(ss);
         gap = (s - goal) * s * perH;
         const ahead = dx * sx + dy * sy;
-        if (calm < 1 && (ahead <= 0 || ahead * ahead < FAR * ss * dd)) return Infinity;
+        if (calm < 1 && (ahead <= 0 || ahead * ahead < FAR * ss * dd)) return false;
       }
     }
     const se = sx * ex + sy * ey;
@@ -156,7 +153,7 @@ export function eliminate(
     const least = HELD * (w + wp) * ss; // or else other links hold it already
     branches = children[p];
     if (branches === 1) {
-      if (calm < 1 && held && own < 0) return Infinity;
+      if (calm < 1 && held && own < 0) return false;
       perD = held && own > least ? 1 / own : 0;
       tension = gap * perD;
     } else {
@@ -195,16 +192,12 @@ export function eliminate(
     w = wp;
     known = p;
   }
-  return haste * PER_TURN;
+  shared[HASTE] = Math.max(shared[HASTE], haste * PER_TURN);
+  return true;
 }
 
-/** From the root to the leaves: finds the tensions, and gives the nodes their velocities. Returns how hasty the tree is. */
-export function substitute(
-  { node, parent, children, rows, nodes }: TreeTable,
-  from: number,
-  to: number,
-  h: number,
-): number {
+/** From the root to the leaves: finds the tensions, and gives the nodes their velocities. Tells how hasty the tree is. */
+export function substitute({ node, parent, children, rows, nodes, shared }: TreeTable, from: number, to: number): void {
   let swing = 0;
   let jx = 0; // impulse on the parent so far
   let jy = 0;
@@ -259,5 +252,5 @@ export function substitute(
     n = c;
     wp = w;
   }
-  return swing * h * PER_SWING;
+  shared[HASTE] = Math.max(shared[HASTE], swing * shared[PIECE] * PER_SWING);
 }

@@ -1,6 +1,6 @@
 import { aimLinks, freeLinks } from './aim-links.ts';
 import { eliminate, substitute } from './solve-tree.ts';
-import { NODE, ROW, SUM, type TreeTable, VX, VY } from './tree-table.ts';
+import { CALM, NODE, ROW, SUM, type TreeTable, VX, VY } from './tree-table.ts';
 
 /** How often a tree is solved anew without the links that push where they can only pull. */
 const ROUNDS = 8;
@@ -24,24 +24,20 @@ export class TreeSolver {
     this.#table = table;
   }
 
-  /**
-   * Gives the nodes of a tree velocities with which links have their lengths in `h` seconds. Returns how hasty the tree is: see
-   * `eliminate`; if that is `Infinity`, all is as it was.
-   */
-  solve(from: number, to: number, kind: Kind, h: number, calm: number, most: number): number {
+  /** Gives the nodes of a tree velocities with which links have their lengths at the end of the piece. Returns whether it could. */
+  solve(from: number, to: number, kind: Kind): boolean {
     const table = this.#table;
-    const plain = kind === PLAIN && calm === 0;
-    if (kind <= RODS) {
-      const haste = eliminate(table, from, to, h, calm, most, plain);
-      return haste === Infinity ? haste : Math.max(haste, substitute(table, from, to, h));
+    if (kind !== ANY) {
+      if (!eliminate(table, from, to, kind === PLAIN && table.shared[CALM] === 0)) return false;
+      substitute(table, from, to);
+      return true;
     }
-    aimLinks(table, from, to, h);
+    aimLinks(table, from, to);
     this.#save(from, to);
     for (let round = 1; ; round++) {
-      const haste = eliminate(table, from, to, h, calm, most, plain);
-      if (haste === Infinity) return haste;
-      const swing = substitute(table, from, to, h);
-      if (round === ROUNDS || !freeLinks(table, from, to)) return Math.max(haste, swing);
+      if (!eliminate(table, from, to, false)) return false;
+      substitute(table, from, to);
+      if (round === ROUNDS || !freeLinks(table, from, to)) return true;
       this.#restore(from, to);
     }
   }

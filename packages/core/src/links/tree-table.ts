@@ -1,3 +1,15 @@
+// Numbers that go from function to function would cost a box each: these stand in `shared`.
+/** Duration of the piece that is being solved. Unit: s. */
+export const PIECE = 0;
+/** How much of the way from start to end of a piece the direction is taken in which links pull, 0 to 1. */
+export const CALM = 1;
+/** Share of its length by which a link that is farther off is brought back. */
+export const MOST_BACK = 2;
+/** How hasty what was solved last is: the square of by how much the piece is too long. */
+export const HASTE = 3;
+/** Energy of motion. Unit: J. */
+export const ENERGY = 4;
+
 /** Numbers a row in `rows`. */
 export const ROW = 17;
 /** The length to aim at. Unit: m. */
@@ -74,6 +86,9 @@ export class TreeTable {
   slot: Int32Array = new Int32Array(0);
   /** Numbers of nodes. */
   nodes: Float64Array = new Float64Array(0);
+
+  /** What the functions that work on the table tell each other. */
+  readonly shared: Float64Array = new Float64Array(5);
 
   /** Forgets everything and makes room for so many rows and nodes. */
   clear(room: number): void {
