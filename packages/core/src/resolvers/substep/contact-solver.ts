@@ -21,6 +21,9 @@ const HERTZ = 60;
  */
 const edgeHertz = (h: number): number => Math.max(10, Math.min(HERTZ, (1 / h - 80) / 8));
 
+/** How often what is deep in scenery is taken out of it: from one of two walls it comes into the other. */
+const MOST_TIMES = 8;
+
 /** Contacts creep apart and do not bounce. */
 const DAMPING_RATIO = 10;
 
@@ -124,8 +127,12 @@ export class ContactSolver {
 
   /** Undoes by position what moved particles into scenery since. Writes x, y. */
   keepOut({ contacts, particles }: Simulation): void {
-    keepOut(contacts, this.#rows, contacts.sceneryStart, contacts.sceneryEnd, particles);
-    keepOut(contacts, this.#rows, contacts.sceneryEnd, contacts.count, particles);
+    const { count, sceneryStart, sceneryEnd } = contacts;
+    for (let n = 0; n < MOST_TIMES; n++) {
+      const some = keepOut(contacts, this.#rows, sceneryStart, sceneryEnd, particles);
+      const late = keepOut(contacts, this.#rows, sceneryEnd, count, particles);
+      if (!some && !late) break;
+    }
   }
 
   /** Takes out the speed by which penetrations were undone, then gives back what hits give back. Reads x, y. Writes vx, vy. */

@@ -141,7 +141,7 @@ export function giveBack(
 
 /**
  * Takes out of scenery, by position alone, what is much deeper in it than it was when the step began, or as deep as its centre. Reads the
- * rows, radius. Writes x, y.
+ * rows, radius. Writes x, y. Returns whether something was.
  * @param start - First row.
  * @param end - After the last row.
  */
@@ -151,7 +151,8 @@ export function keepOut(
   start: number,
   end: number,
   { x, y, radius }: ParticleArrays,
-): void {
+): boolean {
+  let any = false;
   for (let r = start; r < end; r++) {
     if (b[r] !== SCENERY) continue;
     const i = a[r];
@@ -159,7 +160,9 @@ export function keepOut(
     const depth = Math.min(deep, DEEPEST * radius[i] - ROUNDING);
     const deeper = -depth - (offset[r] + x[i] * normalX[r] + y[i] * normalY[r]);
     if (deeper <= 0 || mass[r] === 0) continue;
+    any = true;
     x[i] += deeper * normalX[r];
     y[i] += deeper * normalY[r];
   }
+  return any;
 }
