@@ -46,7 +46,7 @@ export class GroupSolver {
   awake = false;
   /** What links it has. */
   kind: Kind = ANY;
-  /** Whether a link gives: it may give back energy that it has taken up. */
+  /** Whether a link gives: then it holds energy, too. */
   elastic = false;
   /** Whether a link can break: then its tensions are added up. */
   breakable = false;
@@ -56,9 +56,9 @@ export class GroupSolver {
   #spared = 0;
   #divided = false;
   /** How many pieces the small step should have been. */
-  #need = 0.5;
+  #need = 1;
   /** Energy before the small step. Unit: J. */
-  #energy = 0.5;
+  #energy = 0;
   /** What solving has added to the energy, less what it took out. Unit: J. */
   #gained = 0;
 
