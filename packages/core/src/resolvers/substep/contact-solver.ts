@@ -22,7 +22,7 @@ const HERTZ = 60;
 const edgeHertz = (h: number): number => Math.max(10, Math.min(HERTZ, (1 / h - 80) / 8));
 
 /** How often what is deep in scenery is taken out of it: from one of two walls it comes into the other. */
-const MOST_TIMES = 8;
+const MOST_TIMES = 32;
 
 /** Contacts creep apart and do not bounce. */
 const DAMPING_RATIO = 10;
