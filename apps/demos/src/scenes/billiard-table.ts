@@ -6,6 +6,7 @@ import {
   Polygon,
   Random,
   type Shape,
+  shapeFinder,
   type World,
 } from '@mass/core';
 import type { Point } from './scene.ts';
@@ -51,6 +52,7 @@ export class Cloth implements ForceGenerator {
 
 /** A shape that is there to be seen: nothing touches it. */
 class Sheet implements Shape {
+  readonly finder = shapeFinder;
   readonly restitution = 0;
   readonly minX: number;
   readonly minY: number;

@@ -1,4 +1,4 @@
-import { type Resolver, type Shape, severity, World } from '@mass/core';
+import { type Resolver, type Shape, severity, shapeFinder, World } from '@mass/core';
 import { Again } from './again.ts';
 import { wear } from './outline.ts';
 import type { Guide, Point, Scene, Values } from './scene.ts';
@@ -15,6 +15,7 @@ const base = -9;
 /** A shape to be seen: the contacts are found elsewhere. */
 const scenery = (outline: readonly Point[]): Shape & { outline: readonly Point[] } => ({
   outline,
+  finder: shapeFinder,
   restitution: 0,
   minX: -4,
   minY: base,

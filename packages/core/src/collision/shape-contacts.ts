@@ -4,7 +4,8 @@ import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import { FRONT_SHARE } from './edges.ts';
 import { mayTouchShape } from './filter.ts';
 import { FoundPlaces } from './found-places.ts';
-import type { Shape } from './shape.ts';
+import { keepInFront } from './keep-in-front.ts';
+import type { Places, Shape, ShapeFinder } from './shape.ts';
 import { ShapeIndex } from './shape-index.ts';
 import { POINT_RADIUS, radiusAt, ShapeWay } from './shape-way.ts';
 import type { SurfaceReport } from './surface-report.ts';
@@ -23,7 +24,7 @@ const ROOM = 1.25;
  * Finds the contacts of particles with scenery. Of each particle it is kept how far off everything was when it was last looked
  * at: until it has gone so far nothing can touch it. So only what is near scenery costs more than a glance.
  */
-export class ShapeContacts implements SurfaceReport {
+export class ShapeContacts implements ShapeFinder, SurfaceReport {
   readonly #index = new ShapeIndex();
   readonly #places = new FoundPlaces();
   readonly #way = new ShapeWay(this.#index, this.#places);
@@ -80,6 +81,10 @@ export class ShapeContacts implements SurfaceReport {
       this.#look(i, around, firstSource, particles, dt);
     }
     if (!sensorsAlone) this.#report(firstSource, particles);
+  }
+
+  keepInFront(shapes: readonly Shape[], particles: ParticleArrays, before: Places): void {
+    keepInFront(shapes, particles, before);
   }
 
   add(distance: number, normalX: number, normalY: number): void {

@@ -1,6 +1,6 @@
 import { BoxTree } from './box-tree.ts';
 import type { Shape } from './shape.ts';
-import { checkSurface } from './surface.ts';
+import { checkSurface } from './surface-options.ts';
 
 /** How many shapes lie in one strip of the tree: a square of them, about. */
 const perStrip = (count: number): number => Math.ceil(Math.sqrt(count / 4)) * 4;

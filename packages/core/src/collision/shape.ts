@@ -1,4 +1,6 @@
-import type { SurfaceOptions } from './surface.ts';
+import type { ContactBuffer } from '../contacts/contact-buffer.ts';
+import type { ParticleArrays } from '../particles/particle-arrays.ts';
+import type { SurfaceOptions } from './surface-options.ts';
 import type { SurfaceReport } from './surface-report.ts';
 import type { Sweep } from './sweep.ts';
 
@@ -23,6 +25,8 @@ export interface Shape extends SurfaceOptions {
   readonly minY: number;
   readonly maxX: number;
   readonly maxY: number;
+  /** `shapeFinder`: what finds the contacts of all shapes of a world. */
+  readonly finder: () => ShapeFinder;
   /**
    * Reports each place of the surface that is nearer than `reach` to a point, or that the point lies behind.
    * @param x - The point. Unit: m.
@@ -35,4 +39,29 @@ export interface Shape extends SurfaceOptions {
    * reports: then a part of it that is thinner than half the disc's radius, and only grazed, may be missed.
    */
   sweep?(sweep: Sweep): void;
+}
+
+/** Finds the contacts of particles with all the static shapes of a world. */
+export interface ShapeFinder {
+  /**
+   * Adds the contacts of this moment, and what sensors find. Writes nothing of the particles.
+   * @param firstSource - Number of the first shape among the sources of contacts.
+   * @param sensorsAlone - Leaves the contacts out.
+   */
+  find(
+    shapes: readonly Shape[],
+    firstSource: number,
+    particles: ParticleArrays,
+    contacts: ContactBuffer,
+    dt: number,
+    sensorsAlone?: boolean,
+  ): void;
+  /** Puts back in front of a surface whose centre has gone through it since the step began. Writes x, y, vx, vy. */
+  keepInFront(shapes: readonly Shape[], particles: ParticleArrays, before: Places): void;
+}
+
+/** Where particles were, by slot. Unit: m. */
+export interface Places {
+  readonly x: Float64Array;
+  readonly y: Float64Array;
 }

@@ -1,6 +1,6 @@
-import type { Shape } from '../collision/shape.ts';
-import { ShapeContacts } from '../collision/shape-contacts.ts';
+import type { Places, Shape, ShapeFinder } from '../collision/shape.ts';
 import type { Link } from '../links/link.ts';
+import { requireFunction } from '../math/checks.ts';
 import { Members } from '../math/members.ts';
 import { checkedEnd, isEndAlive, particleOf } from '../particles/end.ts';
 import type { ParticleStore } from '../particles/particle-store.ts';
@@ -21,7 +21,8 @@ export class ContactSources {
   readonly #links: Members<Link> = new Members('a link', 'addContacts(particles, contacts, dt)');
   readonly #linkedPairs = new Set<number>();
   readonly #store: ParticleStore;
-  readonly #shapeContacts = new ShapeContacts();
+  /** Comes with the first shape. */
+  #shapeFinder: ShapeFinder | undefined;
   #removals = 0;
   #pairsAreOld = false;
   #linkVersion = 0;
@@ -55,6 +56,13 @@ export class ContactSources {
   removeLinks(links: ReadonlySet<Link>): void {
     this.#links.keep((link) => !links.has(link));
     this.#pairsAreOld = true;
+  }
+
+  addShape(where: string, shape: Shape): void {
+    this.shapes.check(where, shape);
+    requireFunction(where, 'the finder of a shape', shape.finder, 'such as shapeFinder');
+    this.shapes.add(where, shape);
+    this.#shapeFinder ??= shape.finder();
   }
 
   /** Whether there is nothing that could find a contact. */
@@ -95,7 +103,7 @@ export class ContactSources {
       if (!without || links[l].solver === undefined) links[l].addContacts(store, contacts, dt);
     }
     const sceneryStart = contacts.count;
-    this.#shapeContacts.find(shapes, source, store, contacts, dt);
+    this.#shapeFinder?.find(shapes, source, store, contacts, dt);
     if (!further) {
       contacts.sceneryStart = sceneryStart;
       contacts.sceneryEnd = contacts.count;
@@ -113,7 +121,12 @@ export class ContactSources {
     const shapes = this.shapes.list;
     const { sensor } = this.#store;
     if (!shapes.some((shape) => shape.sensor) && sensor.indexOf(1) < 0) return;
-    this.#shapeContacts.find(shapes, this.links.length, this.#store, contacts, dt, true);
+    this.#shapeFinder?.find(shapes, this.links.length, this.#store, contacts, dt, true);
+  }
+
+  /** Puts what has gone through a shape since the step began back in front of it. Writes x, y, vx, vy. */
+  keepInFront(before: Places): void {
+    this.#shapeFinder?.keepInFront(this.shapes.list, this.#store, before);
   }
 
   /** Takes out the links that lost an end. */

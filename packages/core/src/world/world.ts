@@ -230,7 +230,7 @@ export class World implements ParticleSpawner {
 
   /** Adds immovable scenery. @returns The shape. */
   addShape<T extends Shape>(shape: T): T {
-    this.#sources.shapes.add(this.#toChange('World.addShape'), shape);
+    this.#sources.addShape(this.#toChange('World.addShape'), shape);
     return shape;
   }
 

@@ -54,6 +54,7 @@ it('[A1] the package exports exactly these names', () => {
       "rod",
       "semiImplicitEuler",
       "severity",
+      "shapeFinder",
       "spring",
       "substep",
       "travellingWave",

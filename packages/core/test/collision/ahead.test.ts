@@ -1,4 +1,15 @@
-import { Box, HalfPlane, Polygon, Polyline, Random, Segment, type Shape, substep, World } from '@mass/core';
+import {
+  Box,
+  HalfPlane,
+  Polygon,
+  Polyline,
+  Random,
+  Segment,
+  type Shape,
+  shapeFinder,
+  substep,
+  World,
+} from '@mass/core';
 import { describe, expect, it } from 'vitest';
 import { plainPlanes } from './plain-planes.ts';
 import { type Point, placesOf, searchedDistance, segmentsOf, windsAround } from './surface.ts';
@@ -109,6 +120,7 @@ describe('at up to 500 m/s and 1/60 s', () => {
 
   it("[C20] a game's own shape stops discs by the distances that it reports", () => {
     const ball: Shape = {
+      finder: shapeFinder,
       restitution: 0,
       minX: -2,
       minY: -2,

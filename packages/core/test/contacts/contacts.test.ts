@@ -9,6 +9,7 @@ import {
   rod,
   type Shape,
   severity,
+  shapeFinder,
   World,
 } from '@mass/core';
 import { describe, expect, it } from 'vitest';
@@ -53,6 +54,7 @@ describe("a game's own contacts", () => {
       },
     };
     const slope: Shape = {
+      finder: shapeFinder,
       restitution: 0,
       minX: -Infinity,
       minY: -Infinity,
@@ -99,7 +101,7 @@ describe("a game's own contacts", () => {
   ])('[C9] a shape that reports (%d, %d, %d) is an error that leaves the world as it was', (distance, nx, ny, part) => {
     const world = new World({ resolver: severity(), gravity: { x: 0, y: -9.81 } });
     world.addParticle({ x: 0, y: 0, radius: 0.1 });
-    const bounds = { minX: -1, minY: -1, maxX: 1, maxY: 1 };
+    const bounds = { minX: -1, minY: -1, maxX: 1, maxY: 1, finder: shapeFinder };
     world.addShape({ ...bounds, restitution: 0, findSurface: (_x, _y, _reach, to) => to.add(distance, nx, ny) });
     expect(failsUnchanged(world, () => world.step(DT)).message).toMatch(part);
   });

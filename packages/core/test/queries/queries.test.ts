@@ -12,6 +12,7 @@ import {
   Random,
   Segment,
   type Shape,
+  shapeFinder,
   World,
 } from '@mass/core';
 import { describe, expect, it } from 'vitest';
@@ -129,6 +130,7 @@ describe('a ray', () => {
     const disc = world.addShape(new Disc({ centre: { x: 6, y: 0.5 }, radius: 1 }));
     const line = world.addShape(new Segment({ a: { x: 1, y: -1 }, b: { x: 1, y: 1 } }));
     const own: Shape = {
+      finder: shapeFinder,
       restitution: 0,
       minX: 1.5,
       minY: -1,

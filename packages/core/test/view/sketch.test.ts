@@ -20,6 +20,7 @@ import {
   type Shape,
   Springs,
   severity,
+  shapeFinder,
   spring,
   travellingWave,
   World,
@@ -226,7 +227,7 @@ describe('shapes', () => {
   });
 
   it("of a game's own are drawn by the outline that they tell, or not at all", () => {
-    const own = { restitution: 0, minX: -1, minY: -1, maxX: 1, maxY: 1, findSurface() {} };
+    const own = { finder: shapeFinder, restitution: 0, minX: -1, minY: -1, maxX: 1, maxY: 1, findSurface() {} };
     expect(only(own).count).toBe(0);
     const outline = [
       { x: 0, y: 0 },

@@ -8,7 +8,6 @@ import type { Resolver } from '../resolver.ts';
 import { ContactSolver } from './contact-solver.ts';
 import { EnergyGuard } from './energy-guard.ts';
 import { HeldForces } from './held-forces.ts';
-import { keepInFront } from './keep-in-front.ts';
 import { LinkGroups } from './link-groups.ts';
 import { Sleep } from './sleep.ts';
 
@@ -97,7 +96,7 @@ class SmallSteps {
   }
 
   step(simulation: Simulation, dt: number): boolean {
-    const { particles, forces, gravity, sources, contacts, time } = simulation;
+    const { particles, forces, gravity, sources, contacts, time, before } = simulation;
     const h = dt / this.#subSteps;
     this.#sleep.spread(particles);
     do this.#contacts.find(simulation, dt);
@@ -130,7 +129,7 @@ class SmallSteps {
     this.#contacts.relax(simulation);
     if (guards) this.#guard.after(particles);
     if (guards && contacts.count > 0) this.#guard.settle(simulation);
-    keepInFront(simulation);
+    sources.keepInFront(before);
     this.#contacts.keep(simulation);
     this.#sleep.settle(simulation, dt);
     return allFinite(particles);

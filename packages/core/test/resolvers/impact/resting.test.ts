@@ -1,4 +1,4 @@
-import { DiscContacts, HalfPlane, impact, Polyline, World } from '@mass/core';
+import { DiscContacts, HalfPlane, impact, Polyline, shapeFinder, World } from '@mass/core';
 import { describe, expect, it } from 'vitest';
 import { addWalls, energyOf, impactWorld, momentumOf, pile, worstOverlap } from './scenes.ts';
 
@@ -187,6 +187,7 @@ describe('guards', () => {
     const world = new World({ resolver: impact() });
     world.addContactGenerator(new DiscContacts());
     world.addShape({
+      finder: shapeFinder,
       restitution: 0,
       minX: -2,
       minY: -2,

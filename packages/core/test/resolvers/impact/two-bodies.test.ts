@@ -1,4 +1,15 @@
-import { Box, DiscContacts, HalfPlane, impact, Polyline, rod, Segment, type Shape, World } from '@mass/core';
+import {
+  Box,
+  DiscContacts,
+  HalfPlane,
+  impact,
+  Polyline,
+  rod,
+  Segment,
+  type Shape,
+  shapeFinder,
+  World,
+} from '@mass/core';
 import { describe, expect, it } from 'vitest';
 import { impactWorld } from './scenes.ts';
 
@@ -95,6 +106,7 @@ describe('two discs', () => {
 
 describe('at 500 m/s and 1/60 s', () => {
   const ring: Shape = {
+    finder: shapeFinder,
     restitution: 1, // a game's own: the inside of a circle
     minX: -2,
     minY: -2,

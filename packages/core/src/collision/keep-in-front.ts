@@ -1,7 +1,7 @@
-import { mayPushShape } from '../../collision/filter.ts';
-import type { Shape } from '../../collision/shape.ts';
-import { Sweep } from '../../collision/sweep.ts';
-import type { Simulation } from '../../world/simulation.ts';
+import type { ParticleArrays } from '../particles/particle-arrays.ts';
+import { mayPushShape } from './filter.ts';
+import type { Places, Shape } from './shape.ts';
+import { Sweep } from './sweep.ts';
 
 /** Surfaces that one particle may be put back in front of in a step. */
 const MOST = 4;
@@ -17,9 +17,8 @@ const way = new Sweep();
  * loses the speed at which it went. What a hit or a link throws within a small step may go where no contact was looked for. Only who
  * went farther than half its radius can have done so. Reads the shapes, and x, y of the start. Writes x, y, vx, vy.
  */
-export function keepInFront({ particles, sources, before }: Simulation): void {
+export function keepInFront(shapes: readonly Shape[], particles: ParticleArrays, before: Places): void {
   const { count, x, y, radius, inverseMass } = particles;
-  const shapes = sources.shapes.list;
   if (shapes.length === 0) return;
   for (let i = 0; i < count; i++) {
     const dx = x[i] - before.x[i];
@@ -35,8 +34,8 @@ export function keepInFront({ particles, sources, before }: Simulation): void {
  */
 function putBack(
   i: number,
-  particles: Simulation['particles'],
-  before: Simulation['before'],
+  particles: ParticleArrays,
+  before: Places,
   shapes: readonly Shape[],
   last: boolean,
 ): boolean {
