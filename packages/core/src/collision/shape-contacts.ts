@@ -5,7 +5,7 @@ import { FRONT_SHARE } from './edges.ts';
 import { mayTouchShape } from './filter.ts';
 import { FoundPlaces } from './found-places.ts';
 import { keepInFront } from './keep-in-front.ts';
-import type { Places, Shape, ShapeFinder } from './shape.ts';
+import type { Places, Shape, ShapeFinder, ShapeWalk } from './shape.ts';
 import { ShapeIndex } from './shape-index.ts';
 import { POINT_RADIUS, radiusAt, ShapeWay } from './shape-way.ts';
 import type { SurfaceReport } from './surface-report.ts';
@@ -25,6 +25,7 @@ const ROOM = 1.25;
  * at: until it has gone so far nothing can touch it. So only what is near scenery costs more than a glance.
  */
 export class ShapeContacts implements ShapeFinder, SurfaceReport {
+  walk: ShapeWalk | undefined;
   readonly #index = new ShapeIndex();
   readonly #places = new FoundPlaces();
   readonly #way = new ShapeWay(this.#index, this.#places);
@@ -67,7 +68,7 @@ export class ShapeContacts implements ShapeFinder, SurfaceReport {
     const { lookAhead, margin, only } = contacts;
     if (shapes.length === 0) return;
     this.#prepare(shapes, count, contacts);
-    this.#way.begin(shapes, firstSource, particles, contacts);
+    this.#way.begin(shapes, firstSource, particles, contacts, this.walk);
     const lookX = this.#x;
     const lookY = this.#y;
     const free = this.#free;

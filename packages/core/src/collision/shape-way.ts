@@ -2,9 +2,8 @@ import { type ContactBuffer, SCENERY } from '../contacts/contact-buffer.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import { mayTouchShape } from './filter.ts';
 import type { FoundPlaces } from './found-places.ts';
-import type { Shape } from './shape.ts';
+import type { Shape, ShapeWalk } from './shape.ts';
 import type { ShapeIndex } from './shape-index.ts';
-import { SurfaceWalk } from './surface-walk.ts';
 import { Sweep } from './sweep.ts';
 
 /** Where the world looks ahead a point keeps this far off walls without thickness: so it has a side. Unit: m. */
@@ -31,7 +30,7 @@ export class ShapeWay {
   readonly #places: FoundPlaces;
   readonly #sweep = new Sweep();
   readonly #probe: Sweep;
-  readonly #walk = new SurfaceWalk();
+  #walk: ShapeWalk | undefined;
   #shapes: readonly Shape[] = [];
   #firstSource = 0;
   #particles!: ParticleArrays;
@@ -48,8 +47,16 @@ export class ShapeWay {
   /**
    * Begins a step.
    * @param firstSource - Number of the first shape among the sources of contacts.
+   * @param walk - For shapes without `sweep`.
    */
-  begin(shapes: readonly Shape[], firstSource: number, particles: ParticleArrays, contacts: ContactBuffer): void {
+  begin(
+    shapes: readonly Shape[],
+    firstSource: number,
+    particles: ParticleArrays,
+    contacts: ContactBuffer,
+    walk: ShapeWalk | undefined,
+  ): void {
+    this.#walk = walk;
     this.#shapes = shapes;
     this.#firstSource = firstSource;
     this.#particles = particles;
@@ -159,7 +166,7 @@ export class ShapeWay {
     sweep.radius = radiusAt(shape, this.#particles.radius[i]);
     this.#places.of(s, sweep.radius);
     if (shape.sweep) shape.sweep(sweep);
-    else this.#walk.meet(shape, sweep, Math.max(sweep.radius / 2, sweep.length / MOST_STEPS));
+    else this.#walk?.meet(shape, sweep, Math.max(sweep.radius / 2, sweep.length / MOST_STEPS));
   }
 }
 

@@ -25,8 +25,8 @@ export interface Shape extends SurfaceOptions {
   readonly minY: number;
   readonly maxX: number;
   readonly maxY: number;
-  /** `shapeFinder`: what finds the contacts of all shapes of a world. */
-  readonly finder: () => ShapeFinder;
+  /** `shapeFinder`: makes what finds the contacts of all shapes of a world, or adds to it what this one needs. */
+  readonly finder: (known?: ShapeFinder) => ShapeFinder;
   /**
    * Reports each place of the surface that is nearer than `reach` to a point, or that the point lies behind.
    * @param x - The point. Unit: m.
@@ -43,6 +43,8 @@ export interface Shape extends SurfaceOptions {
 
 /** Finds the contacts of particles with all the static shapes of a world. */
 export interface ShapeFinder {
+  /** For shapes without `sweep`: comes with the first of a game's own. */
+  walk: ShapeWalk | undefined;
   /**
    * Adds the contacts of this moment, and what sensors find. Writes nothing of the particles.
    * @param firstSource - Number of the first shape among the sources of contacts.
@@ -58,6 +60,15 @@ export interface ShapeFinder {
   ): void;
   /** Puts back in front of a surface whose centre has gone through it since the step began. Writes x, y, vx, vy. */
   keepInFront(shapes: readonly Shape[], particles: ParticleArrays, before: Places): void;
+}
+
+/** Brings a disc on its way up to a shape that has no `sweep`. */
+export interface ShapeWalk {
+  /**
+   * Tells the sweep where it meets the shape.
+   * @param least - Least step: one that grazes a surface would come near in ever shorter ones. Unit: m.
+   */
+  meet(shape: Shape, sweep: Sweep, least: number): void;
 }
 
 /** Where particles were, by slot. Unit: m. */

@@ -1,4 +1,4 @@
-import type { Shape } from './shape.ts';
+import type { Shape, ShapeWalk } from './shape.ts';
 import type { SurfaceReport } from './surface-report.ts';
 import type { Sweep } from './sweep.ts';
 
@@ -12,7 +12,7 @@ const ALONG = 1e-3;
 const NEWTON_STEPS = 16;
 
 /** Brings a disc on its way up to a shape that has no `sweep`, each time as far as the surface is away (J. C. Hart, *Sphere Tracing*, 1996). */
-export class SurfaceWalk implements SurfaceReport {
+export class SurfaceWalk implements ShapeWalk, SurfaceReport {
   #ux = 0;
   #uy = 0;
   /** To the nearest place, and to the nearest that the way closes upon. Unit: m. */
@@ -21,10 +21,6 @@ export class SurfaceWalk implements SurfaceReport {
   #normalX = 0;
   #normalY = 0;
 
-  /**
-   * Tells the sweep where it meets the shape.
-   * @param least - Least step: one that grazes a surface would come near in ever shorter ones. Unit: m.
-   */
   meet(shape: Shape, sweep: Sweep, least: number): void {
     const { length, radius } = sweep;
     this.#ux = sweep.dx / length;

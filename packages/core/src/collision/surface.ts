@@ -1,5 +1,5 @@
 import type { ShapeFinder } from './shape.ts';
-import { shapeFinder } from './shape-finder.ts';
+import { surfaceFinder } from './surface-finder.ts';
 import { checkSurface, type SurfaceOptions } from './surface-options.ts';
 
 export type { SurfaceOptions } from './surface-options.ts';
@@ -14,7 +14,7 @@ export abstract class Surface {
   readonly category: number;
   readonly mask: number;
   readonly filter: ((slot: number) => boolean) | undefined;
-  readonly finder: () => ShapeFinder = shapeFinder;
+  readonly finder: (known?: ShapeFinder) => ShapeFinder = surfaceFinder;
 
   constructor(where: string, options: SurfaceOptions) {
     checkSurface(where, options);

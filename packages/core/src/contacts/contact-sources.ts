@@ -62,7 +62,7 @@ export class ContactSources {
     this.shapes.check(where, shape);
     requireFunction(where, 'the finder of a shape', shape.finder, 'such as shapeFinder');
     this.shapes.add(where, shape);
-    this.#shapeFinder ??= shape.finder();
+    this.#shapeFinder = shape.finder(this.#shapeFinder);
   }
 
   /** Whether there is nothing that could find a contact. */
