@@ -1,4 +1,4 @@
-import { describe, wrong } from '../math/checks.ts';
+import { absent, wrong } from '../math/checks.ts';
 import type { Body } from './body.ts';
 import type { BodySite } from './body-parts.ts';
 import type { BodyPlan } from './body-plan.ts';
@@ -38,9 +38,7 @@ export class Bodies {
 
   /** Takes a body out: its particles and, with them, its links. */
   remove(where: string, body: Body): void {
-    if (!this.list.includes(body)) {
-      throw new Error(`${where}: a body must be in the world to be taken out; ${describe(body)} is not.`);
-    }
+    if (!this.list.includes(body)) throw absent(where, 'a body', body);
     body.remove();
   }
 }

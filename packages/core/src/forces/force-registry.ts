@@ -1,4 +1,4 @@
-import { describe } from '../math/checks.ts';
+import { absent } from '../math/checks.ts';
 import { requireMembers } from '../particles/membership.ts';
 import type { Particle } from '../particles/particle.ts';
 import type { ParticleStore } from '../particles/particle-store.ts';
@@ -43,9 +43,7 @@ export class ForceRegistry {
   /** Frees particles of a generator, or takes it out where none are named. */
   remove(where: string, generator: ForceGenerator, particles?: Iterable<Particle>): void {
     const targets = this.#targets.get(generator);
-    if (targets === undefined) {
-      throw new Error(`${where}: the force must be in the world; ${describe(generator)} is not.`);
-    }
+    if (targets === undefined) throw absent(where, 'a force', generator);
     if (particles === undefined) {
       this.#targets.delete(generator);
       this.#generators = [...this.#targets.keys()];

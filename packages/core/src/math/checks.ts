@@ -18,6 +18,11 @@ function fail(where: string, must: string, value: unknown, mend: string): never 
   throw wrong(where, must, value, mend, typeof value === 'number' ? RangeError : TypeError);
 }
 
+/** The error of something that should be taken out and is not in the world. */
+export function absent(where: string, what: string, member: unknown): Error {
+  return new Error(`${where}: ${what} must be in the world to be taken out; ${describe(member)} is not.`);
+}
+
 /** A value as an error message shows it: short, and a string told from a number. */
 export function describe(value: unknown): string {
   if (typeof value === 'string') return JSON.stringify(value);

@@ -1,4 +1,4 @@
-import { describe, wrong } from './checks.ts';
+import { absent, describe, wrong } from './checks.ts';
 
 /** A list of things that were added, each once, in order; what is added must have a certain method. */
 export class Members<T extends object> {
@@ -40,9 +40,7 @@ export class Members<T extends object> {
 
   /** Takes something out. */
   remove(where: string, member: T): void {
-    if (!this.#members.has(member)) {
-      throw new Error(`${where}: ${this.#what} must be in the world to be taken out; ${describe(member)} is not.`);
-    }
+    if (!this.#members.has(member)) throw absent(where, this.#what, member);
     this.keep((other) => other !== member);
   }
 

@@ -83,7 +83,7 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
 
   /** A new particle at a place, at rest, with the default of everything else; returns its slot. */
   add(x: number, y: number): number {
-    this.#requireUnlocked('added');
+    this.betweenSteps('World.addParticle');
     const slot = this.#freeCount > 0 ? this.#own.free[--this.#freeCount] : this.count++;
     if (this.count === this.capacity) this.reserve(this.capacity * 2);
     this.living++;
@@ -111,7 +111,7 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
 
   /** Frees a slot that is alive. What stays in it cannot move and is finite. */
   remove(slot: number): void {
-    this.#requireUnlocked('removed');
+    this.betweenSteps('World.removeParticle');
     this.wake(slot);
     this.living--;
     this.removals++;
@@ -174,12 +174,12 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
     growColumns(this.#own, capacity);
   }
 
-  #requireUnlocked(verb: string): void {
-    if (this.locked) {
-      throw new Error(
-        `World.step: particles can be ${verb} between steps only; a force generator asked for it within one. ` +
-          'Note it down and do it after world.step, or in an effect.',
-      );
-    }
+  /** Throws within a step. Returns `where`, for what else may be wrong there. */
+  betweenSteps(where: string): string {
+    if (!this.locked) return where;
+    throw new Error(
+      `${where}: this must be called between steps; a force generator called it within one. ` +
+        'Note it down and do it after world.step, or in an effect.',
+    );
   }
 }

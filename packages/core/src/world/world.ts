@@ -192,7 +192,7 @@ export class World implements ParticleSpawner {
    * @returns The generator.
    */
   addForce<T extends ForceGenerator>(generator: T, particles?: Iterable<Particle>): T {
-    this.#forces.add(this.#betweenSteps('World.addForce'), generator, particles);
+    this.#forces.add(this.#store.betweenSteps('World.addForce'), generator, particles);
     return generator;
   }
 
@@ -203,7 +203,7 @@ export class World implements ParticleSpawner {
 
   /** Joins two ends from the next step on. @returns The link. */
   addLink<T extends Link>(link: T): T {
-    const where = this.#betweenSteps('World.addLink');
+    const where = this.#store.betweenSteps('World.addLink');
     for (const end of [link?.a, link?.b]) {
       if (end instanceof Particle) requireMember(where, end, this.#store);
     }
@@ -214,18 +214,18 @@ export class World implements ParticleSpawner {
 
   /** Takes a link out of the world. */
   removeLink(link: Link): void {
-    this.#sources.removeLink(this.#betweenSteps('World.removeLink'), link);
+    this.#sources.removeLink(this.#store.betweenSteps('World.removeLink'), link);
     wakeEnds(link);
   }
 
   /** Builds a body, such as `box({ … })`, whole or, where it cannot be, not at all. @returns The body. */
   addBody(plan: BodyPlan): Body {
-    return this.#bodies.add(this.#betweenSteps('World.addBody'), plan);
+    return this.#bodies.add(this.#store.betweenSteps('World.addBody'), plan);
   }
 
   /** Takes a body out of the world: its particles and all that hangs on them. */
   removeBody(body: Body): void {
-    this.#bodies.remove(this.#betweenSteps('World.removeBody'), body);
+    this.#bodies.remove(this.#store.betweenSteps('World.removeBody'), body);
   }
 
   /** Adds immovable scenery. @returns The shape. */
@@ -252,7 +252,7 @@ export class World implements ParticleSpawner {
 
   /** Adds something that makes particles as time goes by. @returns The effect. */
   addEffect<T extends Effect>(effect: T): T {
-    this.#effects.check(this.#betweenSteps('World.addEffect'), effect);
+    this.#effects.check(this.#store.betweenSteps('World.addEffect'), effect);
     effect.attach?.(this);
     this.#effects.add('World.addEffect', effect);
     return effect;
@@ -260,7 +260,7 @@ export class World implements ParticleSpawner {
 
   /** Takes an effect out of the world; the particles that it made stay. */
   removeEffect(effect: Effect): void {
-    this.#effects.remove(this.#betweenSteps('World.removeEffect'), effect);
+    this.#effects.remove(this.#store.betweenSteps('World.removeEffect'), effect);
     effect.detach?.();
   }
 
@@ -284,7 +284,7 @@ export class World implements ParticleSpawner {
    * @param dt - Duration, 0 or more; 0 changes nothing. The same each time is best: see `FixedTimestep`. Unit: s.
    */
   step(dt: number): void {
-    const where = this.#betweenSteps('World.step');
+    const where = this.#store.betweenSteps('World.step');
     if (this.#stepping) throw new Error(`${where}: a step must end before the next; an effect or a listener took one.`);
     requireNonNegative(where, 'dt', dt, 'seconds', 'Time runs forward only.');
     if (dt === 0) return;
@@ -337,17 +337,11 @@ export class World implements ParticleSpawner {
     }
   }
 
-  /** Throws within a step. Returns `where`, for what else may be wrong there. */
   /** For what may move anything: all that sleeps wakes. */
   #toChange(where: string): string {
-    this.#betweenSteps(where);
+    this.#store.betweenSteps(where);
     this.#store.wakeAll();
     return where;
-  }
-
-  #betweenSteps(where: string): string {
-    if (!this.#store.locked) return where;
-    throw new Error(`${where}: this must be called between steps; a force generator called it within one.`);
   }
 }
 

@@ -142,7 +142,7 @@ describe('taking a force out', () => {
     const particle = world.addParticle({ x: 0, y: 0 });
     const force = new Gravity({ x: 0, y: -1 });
     expect(() => world.removeForce(force)).toThrow(
-      /^World\.removeForce: the force must be in the world; Gravity is not\./,
+      /^World\.removeForce: a force must be in the world to be taken out; Gravity is not\./,
     );
     world.addForce(force);
     expect(() => world.removeForce(force, [particle])).toThrow(

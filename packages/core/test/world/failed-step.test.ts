@@ -147,12 +147,12 @@ describe('within a step', () => {
   const forbidden: [string, RegExp, (world: World, particle: Particle) => void][] = [
     [
       'adds a particle',
-      /^World\.step: particles can be added between steps only; .* Note it down/,
+      /^World\.addParticle: this must be called between steps; .* Note it down/,
       (w) => w.addParticle({ x: 0, y: 0 }),
     ],
-    ['spawns a particle', /^World\.step: particles can be added between steps only/, (w) => w.spawn(0, 0)],
-    ['removes a particle', /^World\.step: particles can be removed between steps only/, (w, p) => w.removeParticle(p)],
-    ['removes by the handle', /^World\.step: particles can be removed between steps only/, (_w, p) => p.remove()],
+    ['spawns a particle', /^World\.addParticle: this must be called between steps/, (w) => w.spawn(0, 0)],
+    ['removes a particle', /^World\.removeParticle: this must be called between steps/, (w, p) => w.removeParticle(p)],
+    ['removes by the handle', /^World\.removeParticle: this must be called between steps/, (_w, p) => p.remove()],
     ['adds a force', /^World\.addForce: this must be called between steps/, (w) => w.addForce(new Recorder())],
     ['removes a force', /^World\.removeForce: this must be called between steps/, (w) => w.removeForce(new Recorder())],
     ['adds an effect', /^World\.addEffect: this must be called between steps/, (w) => w.addEffect({ afterStep() {} })],
