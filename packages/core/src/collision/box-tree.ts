@@ -1,4 +1,4 @@
-/** How many boxes a group has: a power of two. */
+/** How many boxes a group has. */
 const FANOUT = 8;
 
 /** Numbers a box: minX, minY, maxX, maxY. */
@@ -16,7 +16,7 @@ export class BoxTree {
   readonly #boxes: Float64Array;
   /** Where each level begins, and where the last ends. */
   readonly #starts: Int32Array;
-  readonly #levels: number;
+  #count = 0;
 
   /** @param boxes - minX, minY, maxX, maxY of each box, one after the other. Unit: m. */
   constructor(boxes: Float64Array) {
@@ -30,46 +30,33 @@ export class BoxTree {
       starts.push(end);
     }
     this.#starts = Int32Array.from(starts);
-    this.#levels = starts.length - 1;
     this.#boxes = new Float64Array(end * SIDES).fill(Infinity);
     this.#boxes.set(boxes);
-    for (let level = 1; level < this.#levels; level++) this.#surround(level);
+    for (let level = 1; level < starts.length - 1; level++) this.#surround(level);
   }
 
   /** Finds the boxes that overlap or touch a place. @returns How many there are in `found`. */
   find(minX: number, minY: number, maxX: number, maxY: number): number {
-    const boxes = this.#boxes;
-    const starts = this.#starts;
-    const found = this.found;
-    let count = 0;
-    let level = this.#levels - 1;
-    let node = starts[level];
-    let end = starts[level + 1];
-    // Down into each group that overlaps; at the end of a group up again and on, as far as groups end there.
-    for (;;) {
-      if (node === end) {
-        if (++level >= this.#levels) return count;
-        node = starts[level] + Math.floor((node - 1 - starts[level - 1]) / FANOUT) + 1;
-        end = this.#endOfGroup(level, node - 1);
-        continue;
-      }
-      const b = node * SIDES;
-      if (boxes[b] > maxX || boxes[b + 1] > maxY || boxes[b + 2] < minX || boxes[b + 3] < minY) {
-        node++;
-      } else if (level === 0) {
-        found[count++] = node++;
-      } else {
-        node = starts[level - 1] + (node - starts[level]) * FANOUT;
-        level--;
-        end = this.#endOfGroup(level, node);
-      }
-    }
+    this.#count = 0;
+    const top = this.#starts.length - 2;
+    this.#look(top, this.#starts[top], this.#starts[top + 1], minX, minY, maxX, maxY);
+    return this.#count;
   }
 
-  /** Where the group ends in which a node stands. */
-  #endOfGroup(level: number, node: number): number {
-    const start = this.#starts[level];
-    return Math.min(this.#starts[level + 1], node + FANOUT - ((node - start) & (FANOUT - 1)));
+  /** Looks at the boxes of a level from one to before another, and into each group that overlaps. */
+  #look(level: number, from: number, to: number, minX: number, minY: number, maxX: number, maxY: number): void {
+    const boxes = this.#boxes;
+    const starts = this.#starts;
+    for (let node = from; node < to; node++) {
+      const b = node * SIDES;
+      if (boxes[b] > maxX || boxes[b + 1] > maxY || boxes[b + 2] < minX || boxes[b + 3] < minY) continue;
+      if (level === 0) {
+        this.found[this.#count++] = node;
+        continue;
+      }
+      const first = starts[level - 1] + (node - starts[level]) * FANOUT;
+      this.#look(level - 1, first, Math.min(first + FANOUT, starts[level]), minX, minY, maxX, maxY);
+    }
   }
 
   /** Writes the boxes around the groups of the level below. */
