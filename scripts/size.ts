@@ -37,7 +37,8 @@ export async function sizeOf(program: string): Promise<number> {
 /** Each file of a program, and what the program would save without its lines, the heaviest first. Unit: bytes. */
 async function filesOf(program: string): Promise<[string, number][]> {
   const code = await bundle(program, { minifySyntax: true, minifyIdentifiers: true });
-  const [, ...parts] = code.split(/^\/\/ (.+)$/m); // esbuild writes the name of a file above its lines
+  const lines = code.replace(/^export \{[^}]*\};$/m, '');
+  const [, ...parts] = lines.split(/^\/\/ (.+)$/m); // esbuild writes the name of a file above its lines
   const pieces = await Promise.all(
     parts.map((part, i) =>
       i % 2 === 0 ? part : transform(part, { minifyWhitespace: true }).then((made) => made.code),
