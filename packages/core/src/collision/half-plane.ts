@@ -1,4 +1,4 @@
-import { describe, requireFinite, requireVector } from '../math/checks.ts';
+import { requirePositive, requireVector } from '../math/checks.ts';
 import type { Vec2 } from '../math/vec2.ts';
 import type { Shape } from './shape.ts';
 import { Surface, type SurfaceOptions } from './surface.ts';
@@ -30,12 +30,7 @@ export class HalfPlane extends Surface implements Shape {
     requireVector('HalfPlane', 'point', point, 'metres');
     requireVector('HalfPlane', 'normal', normal, 'any unit');
     const length = Math.sqrt(normal.x * normal.x + normal.y * normal.y);
-    requireFinite('HalfPlane', 'the length of normal', length, '');
-    if (length === 0) {
-      throw new RangeError(
-        `HalfPlane: normal must not be the zero vector; got ${describe(normal.x)}, ${describe(normal.y)}.`,
-      );
-    }
+    requirePositive('HalfPlane', 'the length of normal', length, '');
     this.point = { x: point.x, y: point.y };
     this.normal = { x: normal.x / length, y: normal.y / length };
     // Upright walls and level floors, which most are, have an end on one side: what is far in front is not asked about.

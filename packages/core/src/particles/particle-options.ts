@@ -83,8 +83,8 @@ export function checkParticleOptions(where: string, options: ParticleOptions): v
   requireFlag(where, 'sensor', sensor);
 }
 
-/** Writes checked options to a slot that holds defaults. */
-export function writeParticle(store: ParticleStore, slot: number, options: ParticleOptions): void {
+/** Writes checked options to a new slot, and the default of whatever is left out. */
+export function writeParticle(store: ParticleStore, slot: number, options: Partial<ParticleOptions>): void {
   const {
     vx = 0,
     vy = 0,

@@ -81,7 +81,7 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
     return this.alive.length;
   }
 
-  /** A new particle at a place, at rest, with the default of everything else; returns its slot. */
+  /** A new particle at a place; returns its slot. All else is for `writeParticle` to say. */
   add(x: number, y: number): number {
     this.betweenSteps('World.addParticle');
     const slot = this.#freeCount > 0 ? this.#own.free[--this.#freeCount] : this.count++;
@@ -92,19 +92,9 @@ export class ParticleStore implements ParticleSlots, MotionArrays {
     this.alive[slot] = 1;
     this.x[slot] = this.previousX[slot] = x;
     this.y[slot] = this.previousY[slot] = y;
-    this.vx[slot] = this.vy[slot] = 0;
     this.fx[slot] = this.fy[slot] = 0;
     this.#own.ax[slot] = this.#own.ay[slot] = 0;
-    this.mass[slot] = this.inverseMass[slot] = 1;
     this.#own.damping[slot] = 1;
-    this.radius[slot] = 0;
-    this.restitution[slot] = 0;
-    this.friction[slot] = 0;
-    this.lifetime[slot] = Infinity;
-    this.group[slot] = 0;
-    this.category[slot] = 1;
-    this.mask[slot] = 0xffff;
-    this.sensor[slot] = 0;
     this.asleep[slot] = 0;
     return slot;
   }

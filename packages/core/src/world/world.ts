@@ -178,6 +178,7 @@ export class World implements ParticleSpawner {
     requireFinite('World.spawn', 'y', y, 'metres');
     requirePositiveOrInfinite('World.spawn', 'lifetime', lifetime, 'seconds');
     const slot = this.#store.add(x, y);
+    writeParticle(this.#store, slot, plain);
     this.#store.setLifetime(slot, lifetime);
     return slot;
   }
@@ -344,6 +345,9 @@ export class World implements ParticleSpawner {
     return where;
   }
 }
+
+/** A particle of which nothing was told. */
+const plain = {};
 
 /** What hangs on a link that comes or goes wakes. */
 function wakeEnds({ a, b }: Link): void {
