@@ -1,7 +1,7 @@
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import type { LimitedLink } from './limited-link.ts';
 import { linkGraph } from './link-graph.ts';
-import type { RigidMotion } from './rigid-motion.ts';
+import type { RigidMotion } from '../contacts/solver/rigid-motion.ts';
 import { connectedParts, type RigidShape, rigidShape } from './rigid-shape.ts';
 
 /** How far a body may turn in a small step: the sine. What spins faster is slowed to it. */

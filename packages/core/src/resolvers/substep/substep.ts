@@ -1,3 +1,4 @@
+import { ContactSolver } from '../../contacts/solver/contact-solver.ts';
 import { requireInteger, requireNonNegative, requireOptions, requirePositiveOrInfinite } from '../../math/checks.ts';
 import type { Vec2 } from '../../math/vec2.ts';
 import { allFinite } from '../../particles/finite.ts';
@@ -5,7 +6,6 @@ import type { ParticleStore } from '../../particles/particle-store.ts';
 import { accelerate, accelerateConstantly, damp, move } from '../../world/integrators.ts';
 import type { Simulation } from '../../world/simulation.ts';
 import type { Resolver } from '../resolver.ts';
-import { ContactSolver } from './contact-solver.ts';
 import { EnergyGuard } from './energy-guard.ts';
 import { HeldForces } from './held-forces.ts';
 import { LinkGroups } from './link-groups.ts';

@@ -1,5 +1,5 @@
-import { type ContactBuffer, shareOf } from '../../contacts/contact-buffer.ts';
-import type { RigidMotion } from '../../links/rigid-motion.ts';
+import { type ContactBuffer, shareOf } from '../contact-buffer.ts';
+import type { RigidMotion } from './rigid-motion.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 import type { ContactRows } from './contact-rows.ts';
 

@@ -1,4 +1,4 @@
-import { type ContactBuffer, SCENERY, shareOf } from '../../contacts/contact-buffer.ts';
+import { type ContactBuffer, SCENERY, shareOf } from '../contact-buffer.ts';
 import { growColumns } from '../../math/columns.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 

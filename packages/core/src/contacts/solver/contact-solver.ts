@@ -1,5 +1,5 @@
-import type { ContactBuffer, SomeSlots } from '../../contacts/contact-buffer.ts';
-import type { RigidMotion } from '../../links/rigid-motion.ts';
+import type { ContactBuffer, SomeSlots } from '../contact-buffer.ts';
+import type { RigidMotion } from './rigid-motion.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 import type { Simulation } from '../../world/simulation.ts';
 import { BodyRows } from './body-rows.ts';

@@ -1,4 +1,4 @@
-import type { ContactBuffer } from '../../contacts/contact-buffer.ts';
+import type { ContactBuffer } from '../contact-buffer.ts';
 import { growColumns } from '../../math/columns.ts';
 import type { ContactRows } from './contact-rows.ts';
 

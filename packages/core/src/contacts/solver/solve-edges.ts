@@ -1,4 +1,4 @@
-import { type ContactBuffer, NO_EDGE } from '../../contacts/contact-buffer.ts';
+import { type ContactBuffer, NO_EDGE } from '../contact-buffer.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 import type { ContactRows } from './contact-rows.ts';
 import type { Softness } from './softness.ts';
