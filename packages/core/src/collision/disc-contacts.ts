@@ -1,5 +1,7 @@
 import type { ContactBuffer } from '../contacts/contact-buffer.ts';
 import type { ContactGenerator } from '../contacts/contact-generator.ts';
+import type { ContactKeeper } from '../contacts/contact-keeper.ts';
+import { contactKeeper } from '../contacts/solver/make-keeper.ts';
 import { requireFunction } from '../math/checks.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import { mayTouch } from './filter.ts';
@@ -30,6 +32,7 @@ export interface DiscContactsOptions {
  * ```
  */
 export class DiscContacts implements ContactGenerator {
+  readonly keeper: () => ContactKeeper = contactKeeper;
   readonly #neighbours = new NeighbourList();
   readonly #filter: ((a: number, b: number) => boolean) | undefined;
 

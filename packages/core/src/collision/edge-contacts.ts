@@ -1,5 +1,7 @@
 import type { ContactBuffer } from '../contacts/contact-buffer.ts';
 import type { ContactGenerator } from '../contacts/contact-generator.ts';
+import type { ContactKeeper } from '../contacts/contact-keeper.ts';
+import { contactKeeper } from '../contacts/solver/make-keeper.ts';
 import type { Link } from '../links/link.ts';
 import { describe } from '../math/checks.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
@@ -27,6 +29,7 @@ import { mayTouch } from './filter.ts';
  * ```
  */
 export class EdgeContacts implements ContactGenerator {
+  readonly keeper: () => ContactKeeper = contactKeeper;
   readonly #source: EdgeSource;
   readonly #groups: Set<Link>[] = [];
   readonly #table = new EdgeTable();

@@ -1,4 +1,6 @@
 import { type ContactBuffer, requireUnitNormal, SCENERY } from '../contacts/contact-buffer.ts';
+import type { ContactKeeper } from '../contacts/contact-keeper.ts';
+import { contactKeeper } from '../contacts/solver/make-keeper.ts';
 import { requireFinite } from '../math/checks.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import { FRONT_SHARE } from './edges.ts';
@@ -26,6 +28,7 @@ const ROOM = 1.25;
  */
 export class ShapeContacts implements ShapeFinder, SurfaceReport {
   walk: ShapeWalk | undefined;
+  readonly keeper: () => ContactKeeper = contactKeeper;
   readonly #index = new ShapeIndex();
   readonly #places = new FoundPlaces();
   readonly #way = new ShapeWay(this.#index, this.#places);

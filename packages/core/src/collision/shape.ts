@@ -1,4 +1,5 @@
 import type { ContactBuffer } from '../contacts/contact-buffer.ts';
+import type { ContactKeeper } from '../contacts/contact-keeper.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import type { SurfaceOptions } from './surface-options.ts';
 import type { SurfaceReport } from './surface-report.ts';
@@ -43,6 +44,8 @@ export interface Shape extends SurfaceOptions {
 
 /** Finds the contacts of particles with all the static shapes of a world. */
 export interface ShapeFinder {
+  /** Makes what keeps the contacts that are found. */
+  readonly keeper: () => ContactKeeper;
   /** For shapes without `sweep`: comes with the first of a game's own. */
   walk: ShapeWalk | undefined;
   /**

@@ -1,4 +1,5 @@
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
+import type { ContactKeeper } from './contact-keeper.ts';
 import type { Contacts } from './contacts.ts';
 
 /**
@@ -6,6 +7,11 @@ import type { Contacts } from './contacts.ts';
  * implement `addContacts`, hand it to `World.addContactGenerator`.
  */
 export interface ContactGenerator {
+  /**
+   * `contactKeeper`: makes what keeps contacts in the sub-step resolver. One of those that find contacts in a world must have it, and all
+   * of ours do but links: a game's own only where there is no other.
+   */
+  readonly keeper?: () => ContactKeeper;
   /**
    * Adds the contacts of this moment. Writes nothing of the particles.
    * @param particles - Position, velocity, radius, ... of every particle.

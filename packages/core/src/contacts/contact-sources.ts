@@ -6,6 +6,7 @@ import { checkedEnd, isEndAlive, particleOf } from '../particles/end.ts';
 import type { ParticleStore } from '../particles/particle-store.ts';
 import { type ContactBuffer, pairKey } from './contact-buffer.ts';
 import type { ContactGenerator } from './contact-generator.ts';
+import type { ContactKeeper } from './contact-keeper.ts';
 import { dropRepeated } from './drop-repeated.ts';
 
 /** Where a contact comes from. */
@@ -23,6 +24,10 @@ export class ContactSources {
   readonly #store: ParticleStore;
   /** Comes with the first shape. */
   #shapeFinder: ShapeFinder | undefined;
+  #keeper: ContactKeeper | undefined;
+  #makeKeeper: (() => ContactKeeper) | undefined;
+  /** Whether some link is kept by its contacts. */
+  #hasPlainLinks = false;
   #removals = 0;
   #pairsAreOld = false;
   #linkVersion = 0;
@@ -43,6 +48,7 @@ export class ContactSources {
     checkedEnd(where, "the link's a", link.a);
     checkedEnd(where, "the link's b", link.b);
     this.#links.add(where, link);
+    this.#makeKeeper ??= link.keeper;
     this.#pairsAreOld = true;
   }
 
@@ -63,6 +69,23 @@ export class ContactSources {
     requireFunction(where, 'the finder of a shape', shape.finder, 'such as shapeFinder');
     this.shapes.add(where, shape);
     this.#shapeFinder = shape.finder(this.#shapeFinder);
+    this.#makeKeeper ??= this.#shapeFinder.keeper;
+  }
+
+  addGenerator(where: string, generator: ContactGenerator): void {
+    this.generators.add(where, generator);
+    this.#makeKeeper ??= generator.keeper;
+  }
+
+  /** What keeps the contacts that are found in small steps; none where nothing finds any. */
+  get keeper(): ContactKeeper | undefined {
+    this.#keeper ??= this.#makeKeeper?.();
+    if (this.#keeper === undefined && (this.#hasPlainLinks || this.generators.list.length > 0)) {
+      throw new Error(
+        'World.step: what finds contacts must name what keeps them; nothing does. Give it { keeper: contactKeeper }.',
+      );
+    }
+    return this.#keeper;
   }
 
   /** Whether there is nothing that could find a contact. */
@@ -144,6 +167,7 @@ export class ContactSources {
     this.#pairsAreOld = false;
     this.#linkedPairs.clear();
     this.#linkVersion++;
+    this.#hasPlainLinks = this.#links.list.some(({ solver }) => solver === undefined);
     for (const link of this.#links.list) {
       const a = particleOf(link.a);
       const b = particleOf(link.b);

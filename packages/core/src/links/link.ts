@@ -1,7 +1,7 @@
 import type { ContactGenerator } from '../contacts/contact-generator.ts';
+import type { RigidMotion } from '../contacts/solver/rigid-motion.ts';
 import type { End } from '../particles/end.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
-import type { RigidMotion } from '../contacts/solver/rigid-motion.ts';
 
 /**
  * Something that joins two ends by contacts. A game's own is made the same way: implement it, hand it to `World.addLink`.

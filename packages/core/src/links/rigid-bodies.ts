@@ -1,7 +1,8 @@
+import { BodyRows } from '../contacts/solver/body-rows.ts';
+import type { RigidMotion } from '../contacts/solver/rigid-motion.ts';
 import type { ParticleArrays } from '../particles/particle-arrays.ts';
 import type { LimitedLink } from './limited-link.ts';
 import { linkGraph } from './link-graph.ts';
-import type { RigidMotion } from '../contacts/solver/rigid-motion.ts';
 import { connectedParts, type RigidShape, rigidShape } from './rigid-shape.ts';
 
 /** How far a body may turn in a small step: the sine. What spins faster is slowed to it. */
@@ -18,6 +19,7 @@ const MOST_GAIN = 0.01;
  * et al., 1977), found from momentum and angular momentum alone.
  */
 export class RigidBodies implements RigidMotion {
+  readonly rows: BodyRows = new BodyRows();
   vx: Float64Array = new Float64Array(0);
   vy: Float64Array = new Float64Array(0);
   spin: Float64Array = new Float64Array(0);

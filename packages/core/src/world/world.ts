@@ -242,7 +242,7 @@ export class World implements ParticleSpawner {
 
   /** Adds something that finds contacts, such as `DiscContacts`. @returns The generator. */
   addContactGenerator<T extends ContactGenerator>(generator: T): T {
-    this.#sources.generators.add(this.#toChange('World.addContactGenerator'), generator);
+    this.#sources.addGenerator(this.#toChange('World.addContactGenerator'), generator);
     return generator;
   }
 

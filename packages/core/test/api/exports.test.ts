@@ -35,6 +35,7 @@ it('[A1] the package exports exactly these names', () => {
       "castRay",
       "chain",
       "cloth",
+      "contactKeeper",
       "explicitEuler",
       "firstHit",
       "forEachParticle",

@@ -2,6 +2,7 @@ import {
   type ContactEvent,
   type ContactGenerator,
   type Contacts,
+  contactKeeper,
   Disc,
   DiscContacts,
   HalfPlane,
@@ -43,6 +44,25 @@ describe("a game's own contacts", () => {
     expect(b.vx - a.vx).toBeCloseTo(-1.5, 12); // they parted at 3 m/s and come back at half of that
     expect(a.vx + 3 * b.vx).toBeCloseTo(1, 12);
     expect(b.x - a.x).toBeCloseTo(1, 12);
+  });
+
+  it("[C8] where a game's own alone finds contacts it names what keeps them, under substep", () => {
+    const floor = (named: Pick<ContactGenerator, 'keeper'>): ContactGenerator => ({
+      ...named,
+      addContacts({ count, y, radius }, contacts) {
+        for (let i = 0; i < count; i++) if (y[i] < radius[i]) contacts.add(i, -1, 0, 1, radius[i] - y[i], 0);
+      },
+    });
+    const world = new World({ gravity: { x: 0, y: -9.81 } });
+    const disc = world.addParticle({ x: 0, y: 0.1, radius: 0.1 });
+    const first = world.addContactGenerator(floor({}));
+    expect(failsUnchanged(world, () => world.step(DT)).message).toBe(
+      'World.step: what finds contacts must name what keeps them; nothing does. Give it { keeper: contactKeeper }.',
+    );
+    world.removeContactGenerator(first);
+    world.addContactGenerator(floor({ keeper: contactKeeper }));
+    run(world, 60, DT);
+    expect(disc.y).toBeCloseTo(0.1, 2);
   });
 
   it('[C8] a generator and a shape in a dozen lines take part in the step', () => {

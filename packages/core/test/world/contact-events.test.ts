@@ -2,6 +2,7 @@ import {
   Box,
   type ContactEvent,
   type ContactGenerator,
+  contactKeeper,
   HalfPlane,
   impact,
   Random,
@@ -79,6 +80,7 @@ describe('sensors', () => {
 
   it('[C28] a generator of the game tells of a sensor by addSensor', () => {
     const near: ContactGenerator = {
+      keeper: contactKeeper,
       addContacts({ count, x }, contacts) {
         for (let i = 1; i < count; i++) if (Math.abs(x[i] - x[0]) < 1) contacts.addSensor(i, 0, 1, 0);
       },

@@ -1,11 +1,13 @@
-import { type ContactBuffer, shareOf } from '../contact-buffer.ts';
-import type { RigidMotion } from './rigid-motion.ts';
 import { growColumns } from '../../math/columns.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
+import { type ContactBuffer, shareOf } from '../contact-buffer.ts';
 import type { ContactRows } from './contact-rows.ts';
+import type { RigidMotion, RowsOfBodies } from './rigid-motion.ts';
+import type { Softness } from './softness.ts';
+import { repeatOnBodies, solveBodies } from './solve-bodies.ts';
 
 /** The rows of which one thing or both belong to a rigid body. All else of them is in `ContactRows`. */
-export class BodyRows {
+export class BodyRows implements RowsOfBodies {
   count = 0;
   /** Index of the contact. */
   row: Int32Array = new Int32Array(16);
@@ -16,21 +18,39 @@ export class BodyRows {
   tangentMass: Float64Array = new Float64Array(16);
 
   /** Lists the rows, those with scenery last: what cannot give way has the last word. Writes which of the rows are here. */
-  build(contacts: ContactBuffer, rows: ContactRows, bodies: RigidMotion): void {
+  build(contacts: ContactBuffer, rows: ContactRows, bodies: RigidMotion, particles: ParticleArrays): void {
     const { count, sceneryStart, sceneryEnd } = contacts;
     this.count = 0;
     this.#list(0, sceneryStart, contacts, rows, bodies);
     this.#list(sceneryEnd, count, contacts, rows, bodies);
     this.#list(sceneryStart, sceneryEnd, contacts, rows, bodies);
+    this.weigh(contacts, rows, bodies, particles);
   }
 
-  /** Weighs the rows as the bodies stand now. Reads the rows, x, y, inverseMass. Writes the masses of the rows. */
-  weigh(
+  /** One pass over the rows. Writes vx, vy, and the impulses. */
+  pass(
     contacts: ContactBuffer,
-    { second, mass }: ContactRows,
-    { x: bodyX, y: bodyY, inverseMass: perMass, inverseInertia }: RigidMotion,
-    { x, y, inverseMass }: ParticleArrays,
+    rows: ContactRows,
+    bodies: RigidMotion,
+    particles: ParticleArrays,
+    soft: Softness,
+    h: number,
+    calm: number,
+    begins: boolean,
   ): void {
+    if (this.count === 0) return;
+    this.weigh(contacts, rows, bodies, particles);
+    if (begins) repeatOnBodies(this, contacts, rows, bodies, particles);
+    solveBodies(this, contacts, rows, bodies, particles, soft, h, calm);
+    bodies.write(particles);
+  }
+
+  /** Reads the motion of the bodies, and weighs the rows as they stand. Reads x, y, vx, vy, inverseMass. Writes the masses of the rows. */
+  weigh(contacts: ContactBuffer, { second, mass }: ContactRows, bodies: RigidMotion, particles: ParticleArrays): void {
+    if (this.count === 0) return;
+    bodies.read(particles);
+    const { x: bodyX, y: bodyY, inverseMass: perMass, inverseInertia } = bodies;
+    const { x, y, inverseMass } = particles;
     const { a, edgeEnd, normalX, normalY } = contacts;
     const { count, row, bodyA, bodyB, tangentMass } = this;
     for (let r = 0; r < count; r++) {

@@ -1,5 +1,5 @@
-import { type ContactBuffer, NO_EDGE, shareOf } from '../contact-buffer.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
+import { type ContactBuffer, NO_EDGE, shareOf } from '../contact-buffer.ts';
 import type { ContactRows } from './contact-rows.ts';
 
 /**

@@ -1,7 +1,7 @@
-import { type ContactBuffer, shareOf } from '../contact-buffer.ts';
-import type { RigidMotion } from './rigid-motion.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
+import { type ContactBuffer, shareOf } from '../contact-buffer.ts';
 import type { ContactRows } from './contact-rows.ts';
+import type { RigidMotion } from './rigid-motion.ts';
 
 /**
  * The speed at which the two of a contact part. Unit: m/s.

@@ -1,6 +1,6 @@
-import type { ContactBuffer, SomeSlots } from '../contact-buffer.ts';
 import { growColumns } from '../../math/columns.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
+import type { ContactBuffer, SomeSlots } from '../contact-buffer.ts';
 
 /** What a particle may go beside the way along which its contacts were looked for, as a share of its radius. */
 const SLACK = 1;

@@ -1,6 +1,6 @@
-import { type ContactBuffer, SCENERY, shareOf } from '../contact-buffer.ts';
 import { growColumns } from '../../math/columns.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
+import { type ContactBuffer, SCENERY, shareOf } from '../contact-buffer.ts';
 
 /** What the solver needs beside the contacts themselves, in the same order. A contact keeps its normal through the step. */
 export class ContactRows {

@@ -1,14 +1,12 @@
-import type { ContactBuffer, SomeSlots } from '../contact-buffer.ts';
-import type { RigidMotion } from './rigid-motion.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
-import type { Simulation } from '../../world/simulation.ts';
-import { BodyRows } from './body-rows.ts';
+import type { ContactBuffer, SomeSlots } from '../contact-buffer.ts';
+import type { ContactKeeper, ContactScene } from '../contact-keeper.ts';
 import { ContactMotion } from './contact-motion.ts';
 import { ContactRange } from './contact-range.ts';
 import { ContactRows } from './contact-rows.ts';
 import { ImpulseMemory } from './impulse-memory.ts';
+import type { RigidMotion } from './rigid-motion.ts';
 import { RIGID, type Softness, softness } from './softness.ts';
-import { repeatOnBodies, solveBodies } from './solve-bodies.ts';
 import { giveBack, keepOut, solveContacts, takeBackPush } from './solve-contacts.ts';
 import { solveEdges } from './solve-edges.ts';
 
@@ -28,9 +26,8 @@ const MOST_TIMES = 32;
 const DAMPING_RATIO = 10;
 
 /** The contacts of a step, from their discovery to their impulses. */
-export class ContactSolver {
+export class ContactSolver implements ContactKeeper {
   readonly #rows = new ContactRows();
-  readonly #bodyRows = new BodyRows();
   /** The rigid bodies of the step. */
   #bodies: RigidMotion | undefined;
   readonly #memory = new ImpulseMemory();
@@ -48,7 +45,7 @@ export class ContactSolver {
    * @param ahead - How far ahead to look. Unit: s.
    * @param only - Keeps those that there are, and looks for more of these particles alone.
    */
-  find({ contacts, gravity, particles, sources }: Simulation, ahead: number, only?: SomeSlots): void {
+  find({ contacts, gravity, particles, sources }: ContactScene, ahead: number, only?: SomeSlots): void {
     const g = Math.sqrt(gravity.x * gravity.x + gravity.y * gravity.y);
     contacts.lookAhead = ahead;
     contacts.margin = g * ahead * ahead;
@@ -64,7 +61,7 @@ export class ContactSolver {
    * @param h - Duration of a small step. Unit: s.
    * @param bodies - Rigid bodies that links make.
    */
-  begin(simulation: Simulation, dt: number, h: number, bodies: RigidMotion | undefined): void {
+  begin(simulation: ContactScene, dt: number, h: number, bodies: RigidMotion | undefined): void {
     const { x, y } = simulation.gravity;
     this.#resting = Math.sqrt(x * x + y * y) * dt;
     this.#rows.fallX = x * h;
@@ -84,7 +81,7 @@ export class ContactSolver {
   }
 
   /** Looks for more contacts, within the step, of what may go where none were looked for. */
-  findMore(simulation: Simulation, rest: number): void {
+  findMore(simulation: ContactScene, rest: number): void {
     const known = this.#rows.count;
     const left = this.#range.findLeft(simulation.particles, rest);
     if (left === undefined) return;
@@ -94,30 +91,20 @@ export class ContactSolver {
     this.#makeRows(simulation, known);
   }
 
-  #makeRows({ contacts, particles }: Simulation, from: number): void {
+  #makeRows({ contacts, particles }: ContactScene, from: number): void {
     this.#rows.build(contacts, particles, from);
-    this.#bodyRows.count = 0;
-    if (this.#bodies === undefined) return;
-    this.#bodyRows.build(contacts, this.#rows, this.#bodies);
-    this.#weigh(contacts, particles);
-  }
-
-  /** Reads the motion of the bodies, and weighs the rows as they stand. */
-  #weigh(contacts: ContactBuffer, particles: ParticleArrays): void {
-    if (this.#bodies === undefined || this.#bodyRows.count === 0) return;
-    this.#bodies.read(particles);
-    this.#bodyRows.weigh(contacts, this.#rows, this.#bodies, particles);
+    this.#bodies?.rows.build(contacts, this.#rows, this.#bodies, particles);
   }
 
   /** Begins a small step with what the contacts did in the last one. Writes vx, vy. */
-  repeat({ contacts, particles }: Simulation, first: boolean): void {
+  repeat({ contacts, particles }: ContactScene, first: boolean): void {
     if (this.#rows.count === 0) return;
     if (!first && this.#rows.fresh > 0) this.#motion.forgetHits(contacts, this.#rows, particles, this.#resting);
     this.#motion.repeat(particles);
   }
 
   /** One pass over the contacts. Reads x, y. Writes vx, vy. */
-  solve({ contacts, particles }: Simulation): void {
+  solve({ contacts, particles }: ContactScene): void {
     if (this.#rows.count === 0) return;
     this.#passBodies(contacts, particles, this.#soft, true);
     this.#motion.note(particles);
@@ -126,7 +113,7 @@ export class ContactSolver {
   }
 
   /** Undoes by position what moved particles into scenery since. Writes x, y. */
-  keepOut({ contacts, particles }: Simulation): void {
+  keepOut({ contacts, particles }: ContactScene): void {
     const { count, sceneryStart, sceneryEnd } = contacts;
     for (let n = 0; n < MOST_TIMES; n++) {
       const some = keepOut(contacts, this.#rows, sceneryStart, sceneryEnd, particles);
@@ -136,9 +123,9 @@ export class ContactSolver {
   }
 
   /** Takes out the speed by which penetrations were undone, then gives back what hits give back. Reads x, y. Writes vx, vy. */
-  relax({ contacts, particles }: Simulation): void {
+  relax({ contacts, particles }: ContactScene): void {
     const rows = this.#rows;
-    this.#weigh(contacts, particles);
+    this.#bodies?.rows.weigh(contacts, rows, this.#bodies, particles);
     takeBackPush(contacts, rows, this.#bodies, particles, this.#soft.biasRate);
     this.#passBodies(contacts, particles, RIGID, false);
     this.#pass(contacts, particles, RIGID, RIGID);
@@ -146,7 +133,7 @@ export class ContactSolver {
   }
 
   /** Keeps the impulses for the next step. Reads the contacts. */
-  keep({ contacts, sources }: Simulation): void {
+  keep({ contacts, sources }: ContactScene): void {
     this.#memory.keep(contacts, this.#rows, sources.links.length, this.#h);
   }
 
@@ -173,7 +160,7 @@ export class ContactSolver {
   ): void {
     const rows = this.#rows;
     const { ofBody } = rows;
-    const someAreOfBodies = this.#bodyRows.count > 0;
+    const someAreOfBodies = (this.#bodies?.rows.count ?? 0) > 0;
     for (let from = start; from < end; ) {
       let to = end;
       if (someAreOfBodies) {
@@ -188,11 +175,6 @@ export class ContactSolver {
   }
 
   #passBodies(contacts: ContactBuffer, particles: ParticleArrays, soft: Softness, begins: boolean): void {
-    const bodies = this.#bodies;
-    if (bodies === undefined || this.#bodyRows.count === 0) return;
-    this.#weigh(contacts, particles);
-    if (begins) repeatOnBodies(this.#bodyRows, contacts, this.#rows, bodies, particles);
-    solveBodies(this.#bodyRows, contacts, this.#rows, bodies, particles, soft, this.#h, this.#calm);
-    bodies.write(particles);
+    this.#bodies?.rows.pass(contacts, this.#rows, this.#bodies, particles, soft, this.#h, this.#calm, begins);
   }
 }

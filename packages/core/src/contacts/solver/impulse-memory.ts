@@ -1,5 +1,5 @@
-import type { ContactBuffer } from '../contact-buffer.ts';
 import { growColumns } from '../../math/columns.ts';
+import type { ContactBuffer } from '../contact-buffer.ts';
 import type { ContactRows } from './contact-rows.ts';
 
 /**

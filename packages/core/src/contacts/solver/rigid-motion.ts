@@ -1,4 +1,7 @@
-import type { ParticleArrays } from '../particles/particle-arrays.ts';
+import type { ParticleArrays } from '../../particles/particle-arrays.ts';
+import type { ContactBuffer } from '../contact-buffer.ts';
+import type { ContactRows } from './contact-rows.ts';
+import type { Softness } from './softness.ts';
 
 /**
  * How rigid bodies move, for contacts to change: what pushes a member pushes the body. `read` comes first, then changes, then `write`.
@@ -17,6 +20,8 @@ export interface RigidMotion {
   readonly inverseInertia: Float64Array;
   /** The body that a slot belongs to, or -1: it belongs to none, or that sleeps. */
   bodyOf(slot: number): number;
+  /** The contacts of the bodies. */
+  readonly rows: RowsOfBodies;
   /** Reads the motion off the members. Reads x, y, vx, vy. */
   read(particles: ParticleArrays): void;
   /** Adds to the members what has changed since. Writes vx, vy. */
@@ -31,5 +36,29 @@ export interface RigidMotion {
     particles: ParticleArrays,
     vx: Float64Array,
     vy: Float64Array,
+  ): void;
+}
+
+/** The rows of which one thing or both belong to a rigid body. They come with the bodies. */
+export interface RowsOfBodies {
+  readonly count: number;
+  /** Lists them. Writes which of the rows are here, and their masses. */
+  build(contacts: ContactBuffer, rows: ContactRows, bodies: RigidMotion, particles: ParticleArrays): void;
+  /** Reads the motion of the bodies, and weighs the rows as they stand. Reads x, y, vx, vy, inverseMass. Writes the masses of the rows. */
+  weigh(contacts: ContactBuffer, rows: ContactRows, bodies: RigidMotion, particles: ParticleArrays): void;
+  /**
+   * One pass over the rows. Writes vx, vy, and the impulses.
+   * @param calm - Speed along the normal below which a contact is calm. Unit: m/s.
+   * @param begins - Whether the small step begins: with what was done in the last one.
+   */
+  pass(
+    contacts: ContactBuffer,
+    rows: ContactRows,
+    bodies: RigidMotion,
+    particles: ParticleArrays,
+    soft: Softness,
+    h: number,
+    calm: number,
+    begins: boolean,
   ): void;
 }

@@ -1,10 +1,18 @@
-import { type ContactBuffer, shareOf } from '../contact-buffer.ts';
-import type { RigidMotion } from './rigid-motion.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
-import type { BodyRows } from './body-rows.ts';
+import { type ContactBuffer, shareOf } from '../contact-buffer.ts';
 import type { ContactRows } from './contact-rows.ts';
+import type { RigidMotion } from './rigid-motion.ts';
 import type { Softness } from './softness.ts';
 import { FASTEST_PUSH, OVER_RELAXATION } from './solve-contacts.ts';
+
+/** The columns of the rows of bodies: see `BodyRows`. */
+export interface BodyColumns {
+  readonly count: number;
+  readonly row: Int32Array;
+  readonly bodyA: Int32Array;
+  readonly bodyB: Int32Array;
+  readonly tangentMass: Float64Array;
+}
 
 /**
  * `solveContacts` where one of a row or both belong to a rigid body: the impulse moves the body as a whole, so that no rod has to pass it on.
@@ -13,7 +21,7 @@ import { FASTEST_PUSH, OVER_RELAXATION } from './solve-contacts.ts';
  */
 // biome-ignore lint/complexity/noExcessiveLinesPerFunction: numbers that go from function to function cost a box each
 export function solveBodies(
-  { count, row, bodyA, bodyB, tangentMass }: BodyRows,
+  { count, row, bodyA, bodyB, tangentMass }: BodyColumns,
   contacts: ContactBuffer,
   { second, offset, mass, lasting, closing, normal, tangent, fallX, fallY }: ContactRows,
   bodies: RigidMotion,
@@ -101,7 +109,7 @@ export function solveBodies(
  * Writes the motion of the bodies, and vx, vy of what belongs to none.
  */
 export function repeatOnBodies(
-  { count, row, bodyA, bodyB }: BodyRows,
+  { count, row, bodyA, bodyB }: BodyColumns,
   contacts: ContactBuffer,
   { second, normal, tangent }: ContactRows,
   { x: bodyX, y: bodyY, vx: bodyVx, vy: bodyVy, spin, inverseMass: perMass, inverseInertia }: RigidMotion,

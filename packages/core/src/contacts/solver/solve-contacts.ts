@@ -1,8 +1,8 @@
-import { type ContactBuffer, SCENERY } from '../contact-buffer.ts';
-import type { RigidMotion } from './rigid-motion.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
+import { type ContactBuffer, SCENERY } from '../contact-buffer.ts';
 import { partingSpeed, push } from './contact-place.ts';
 import type { ContactRows } from './contact-rows.ts';
+import type { RigidMotion } from './rigid-motion.ts';
 import type { Softness } from './softness.ts';
 
 /** Two things that are in each other part no faster than this. Unit: m/s. */

@@ -1,5 +1,5 @@
-import { type ContactBuffer, NO_EDGE } from '../contact-buffer.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
+import { type ContactBuffer, NO_EDGE } from '../contact-buffer.ts';
 import type { ContactRows } from './contact-rows.ts';
 import type { Softness } from './softness.ts';
 import { FASTEST_PUSH, OVER_RELAXATION } from './solve-contacts.ts';

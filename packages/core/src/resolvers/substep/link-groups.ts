@@ -1,6 +1,6 @@
 import type { ContactSources } from '../../contacts/contact-sources.ts';
-import type { Link, LinkSolver } from '../../links/link.ts';
 import type { RigidMotion } from '../../contacts/solver/rigid-motion.ts';
+import type { Link, LinkSolver } from '../../links/link.ts';
 import type { ParticleArrays } from '../../particles/particle-arrays.ts';
 import type { ParticleStore } from '../../particles/particle-store.ts';
 

@@ -1,4 +1,3 @@
-import { ContactSolver } from '../../contacts/solver/contact-solver.ts';
 import { requireInteger, requireNonNegative, requireOptions, requirePositiveOrInfinite } from '../../math/checks.ts';
 import type { Vec2 } from '../../math/vec2.ts';
 import { allFinite } from '../../particles/finite.ts';
@@ -76,7 +75,6 @@ class SubstepResolver implements Resolver {
 /** The step of one world. */
 class SmallSteps {
   readonly #subSteps: number;
-  readonly #contacts = new ContactSolver();
   readonly #links = new LinkGroups();
   readonly #held = new HeldForces();
   readonly #guard = new EnergyGuard();
@@ -99,38 +97,40 @@ class SmallSteps {
     const { particles, forces, gravity, sources, contacts, time, before } = simulation;
     const h = dt / this.#subSteps;
     this.#sleep.spread(particles);
-    do this.#contacts.find(simulation, dt);
+    contacts.clear(particles.count, sources.linkedPairs());
+    const { keeper } = sources;
+    do keeper?.find(simulation, dt);
     while (this.#sleep.wakeTouched(contacts, particles));
     this.#links.begin(sources, particles);
-    this.#contacts.begin(simulation, dt, h, this.#links.bodies);
+    keeper?.begin(simulation, dt, h, this.#links.bodies);
     this.#held.note(particles);
     const guards = sources.links.length > 0;
     if (guards) this.#guard.begin(particles);
     for (let k = 0; k < this.#subSteps; k++) {
       if (k > 0) {
         this.#held.restore(particles);
-        this.#contacts.findMore(simulation, dt - k * h);
+        keeper?.findMore(simulation, dt - k * h);
       }
       forces.apply(h, time + k * h);
       accelerateAll(particles, gravity, h);
       if (guards) this.#guard.before(particles);
-      this.#contacts.repeat(simulation, k === 0);
+      keeper?.repeat(simulation, k === 0);
       this.#links.solve(particles, h);
-      this.#contacts.solve(simulation);
+      keeper?.solve(simulation);
       if (guards) this.#guard.after(particles);
       if (!move(particles, h)) return false;
       this.#links.finish(particles);
       if (contacts.count > 0) {
         this.#links.straighten(particles);
-        this.#contacts.keepOut(simulation);
+        keeper?.keepOut(simulation);
       }
     }
     if (guards) this.#guard.before(particles);
-    this.#contacts.relax(simulation);
+    keeper?.relax(simulation);
     if (guards) this.#guard.after(particles);
     if (guards && contacts.count > 0) this.#guard.settle(simulation);
     sources.keepInFront(before);
-    this.#contacts.keep(simulation);
+    keeper?.keep(simulation);
     this.#sleep.settle(simulation, dt);
     return allFinite(particles);
   }
