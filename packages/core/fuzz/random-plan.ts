@@ -16,6 +16,9 @@ const MASS_RATIO = 10_000;
 const SWIFTEST_SPRING = 0.2 / DT;
 const STRONGEST_DRAG = 0.1 / DT;
 
+/** How many of its lengths a spring may fly in a second: ends that whip past each other turn it faster than small steps can follow. Unit: 1/s. */
+const FASTEST_SPRING = 10;
+
 /** What is settled for a whole world before its parts are made. */
 interface Style {
   readonly random: Random;
@@ -198,9 +201,11 @@ function web(style: Style, size: number, velocity: Vec2): Draft {
   return loose(particles, links);
 }
 
-function springPair(style: Style, size: number, velocity: Vec2): Draft {
+function springPair(style: Style, size: number, asked: Vec2): Draft {
   const { random } = style;
   const pitch = size * random.between(2.1, 6);
+  const share = Math.min(1, (FASTEST_SPRING * pitch) / Math.hypot(asked.x, asked.y));
+  const velocity = { x: share * asked.x, y: share * asked.y };
   const particles = [
     randomParticle(style, -pitch / 2, 0, size, velocity),
     randomParticle(style, pitch / 2, 0, size, velocity),

@@ -5,10 +5,12 @@ import type { ParticleStore } from '../../particles/particle-store.ts';
 import type { Simulation } from '../../world/simulation.ts';
 import { Islands } from './islands.ts';
 
-/** Share of its energy of motion that an island may gain in a step: what small steps waver by. */
-const MOST_GAIN = 0.002;
-/** A particle that has got this share of its energy in a step is looked at. */
-const SUSPICIOUS = 0.02;
+/** Share of its energy of motion that an island may gain in a step, and one that nothing touches: links that swing waver by more. */
+const MOST_GAIN = 0.0005;
+const MOST_GAIN_OF_FREE = 0.03;
+/** A particle that has got this share of its energy in a step is looked at; and one where nothing touches. */
+const SUSPICIOUS = 0.005;
+const SUSPICIOUS_OF_FREE = 0.1;
 
 /**
  * Links and contacts take energy of motion from an island or leave it as it is: they cannot add any, but for what a link that gives has stored.
@@ -28,6 +30,8 @@ export class EnergyGuard {
     py: new Float64Array(0),
     /** 1 where something that does not move holds or touches it. */
     held: new Uint8Array(0),
+    /** 1 where something touches. */
+    touched: new Uint8Array(0),
   };
 
   /** Begins a step. */
@@ -50,17 +54,18 @@ export class EnergyGuard {
 
   /** Slows islands that have gained. Reads the contacts and links. Writes vx, vy. */
   settle(simulation: Simulation): void {
-    const { particles } = simulation;
-    if (!this.#isSuspicious(particles)) return;
+    const { particles, contacts } = simulation;
+    if (!this.#isSuspicious(particles, contacts.count > 0 ? SUSPICIOUS : SUSPICIOUS_OF_FREE)) return;
     this.#islands.find(simulation);
     this.#sum(particles);
     this.#noteHolds(simulation);
     const { count, vx, vy, inverseMass } = particles;
-    const { gain, energy, mass, px, py, held } = this.#table;
+    const { gain, energy, mass, px, py, held, touched } = this.#table;
     for (let i = 0; i < count; i++) {
       if (inverseMass[i] === 0) continue;
       const first = this.#islands.firstOf(i);
-      if (!(gain[first] > MOST_GAIN * energy[first])) continue;
+      const most = touched[first] === 1 ? MOST_GAIN : MOST_GAIN_OF_FREE;
+      if (!(gain[first] > most * energy[first])) continue;
       const isFree = held[first] === 0;
       const ux = isFree ? px[first] / mass[first] : 0;
       const uy = isFree ? py[first] / mass[first] : 0;
@@ -71,10 +76,10 @@ export class EnergyGuard {
     }
   }
 
-  #isSuspicious({ count, vx, vy, mass, inverseMass }: ParticleStore): boolean {
+  #isSuspicious({ count, vx, vy, mass, inverseMass }: ParticleStore, share: number): boolean {
     const { work } = this.#table;
     for (let i = 0; i < count; i++) {
-      if (inverseMass[i] > 0 && work[i] > SUSPICIOUS * mass[i] * (vx[i] * vx[i] + vy[i] * vy[i])) return true;
+      if (inverseMass[i] > 0 && work[i] > share * mass[i] * (vx[i] * vx[i] + vy[i] * vy[i])) return true;
     }
     return false;
   }
@@ -97,10 +102,11 @@ export class EnergyGuard {
   #noteHolds({ particles, contacts, sources, before }: Simulation): void {
     const { inverseMass } = particles;
     const { count, a, b, impulse, tangentImpulse, surfaceSpeed } = contacts;
-    const { gain, held } = this.#table;
+    const { gain, held, touched } = this.#table;
     for (let c = 0; c < count; c++) {
       if (impulse[c] === 0) continue;
       const first = this.#islands.firstOf(a[c]);
+      touched[first] = 1;
       if (b[c] === SCENERY || inverseMass[b[c]] === 0) held[first] = 1;
       else if (inverseMass[a[c]] === 0) held[this.#islands.firstOf(b[c])] = 1;
       gain[first] -= 2 * Math.max(0, tangentImpulse[c] * surfaceSpeed[c]);

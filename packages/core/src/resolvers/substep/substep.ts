@@ -1,3 +1,4 @@
+import type { ContactBuffer } from '../../contacts/contact-buffer.ts';
 import { requireInteger, requireNonNegative, requireOptions, requirePositiveOrInfinite } from '../../math/checks.ts';
 import type { Vec2 } from '../../math/vec2.ts';
 import { allFinite } from '../../particles/finite.ts';
@@ -104,7 +105,7 @@ class SmallSteps {
     this.#links.begin(sources, particles);
     keeper?.begin(simulation, dt, h, this.#links.bodies);
     this.#held.note(particles);
-    const guards = sources.links.length > 0;
+    const guards = sources.links.length > 0 || someBounce(contacts);
     if (guards) this.#guard.begin(particles);
     for (let k = 0; k < this.#subSteps; k++) {
       if (k > 0) {
@@ -128,12 +129,18 @@ class SmallSteps {
     if (guards) this.#guard.before(particles);
     keeper?.relax(simulation);
     if (guards) this.#guard.after(particles);
-    if (guards && contacts.count > 0) this.#guard.settle(simulation);
+    if (guards) this.#guard.settle(simulation);
     sources.keepInFront(before);
     keeper?.keep(simulation);
     this.#sleep.settle(simulation, dt);
     return allFinite(particles);
   }
+}
+
+/** Whether some contact may give back what it takes. */
+function someBounce({ count, restitution }: ContactBuffer): boolean {
+  for (let c = 0; c < count; c++) if (restitution[c] > 0) return true;
+  return false;
 }
 
 /** A world without links, shapes and contact generators has nothing to resolve: one whole step, by the world's integrator. */
