@@ -134,7 +134,7 @@ export function giveBack(
     const J = Math.min(restitution[r] * impulse[r], -mass[r] * (speed + restitution[r] * closing[r]));
     if (J <= 0) continue;
     impulse[r] += J;
-    rows.normal[r] = rows.tangent[r] = 0; // what bounces holds nothing
+    if (rows.lasting[r] === 0) rows.normal[r] = rows.tangent[r] = 0; // what came and bounces holds nothing
     push(contacts, rows, bodies, r, J * normalX[r], J * normalY[r], particles, vx, vy);
   }
 }
