@@ -118,9 +118,9 @@ class SmallSteps {
       keeper?.repeat(simulation, k === 0);
       this.#links.solve(particles, h);
       keeper?.solve(simulation);
-      if (guards) this.#guard.after(particles);
       if (!move(particles, h)) return false;
       this.#links.finish(particles);
+      if (guards) this.#guard.after(particles);
       if (contacts.count > 0) {
         this.#links.straighten(particles);
         keeper?.keepOut(simulation);

@@ -58,3 +58,13 @@ describe('the fuzzer', () => {
     expect(judge({ ...plan, parts: [{ ...stretched, springs: [spring] }] })?.kind).toBe('energy');
   });
 });
+
+describe('random worlds', () => {
+  it.each([0, 100, 200, 300])(
+    '[S24] stay finite and inside, and gain no more than a twentieth in energy: 100 from world %s',
+    (from) => {
+      for (let seed = from; seed < from + 100; seed++)
+        expect([seed, judge(randomPlan(seed))]).toEqual([seed, undefined]);
+    },
+  );
+});
