@@ -60,6 +60,7 @@ export class DistanceLink implements LimitedLink {
   readonly breaksAt?: (force: number) => boolean;
   #minLength: number;
   #maxLength: number;
+  #isChanged = false;
   /** Slots of the particles; the second is -1 for a fixed point. */
   readonly #i: number;
   readonly #j: number;
@@ -112,6 +113,7 @@ export class DistanceLink implements LimitedLink {
     requireOrdered('DistanceLink.setLength', 'length', minLength, maxLength, 'm');
     this.#minLength = minLength;
     this.#maxLength = maxLength;
+    this.#isChanged = true;
     for (const end of [this.a, this.b]) if (isEndAlive(end)) particleOf(end)?.wake();
   }
 
@@ -128,6 +130,13 @@ export class DistanceLink implements LimitedLink {
     if (length > this.#maxLength) return length / this.#maxLength - 1;
     if (length < this.#minLength) return length / this.#minLength - 1;
     return 0;
+  }
+
+  /** Whether its length was changed since this was last asked: then it may do work. */
+  takeChange(): boolean {
+    const isChanged = this.#isChanged;
+    this.#isChanged = false;
+    return isChanged;
   }
 
   /** What it has stored by giving way, with its ends at given places. Unit: J. */

@@ -15,6 +15,8 @@ export interface Link extends ContactGenerator {
    * A link without is kept by its contacts.
    */
   readonly solver?: () => LinkSolver;
+  /** Whether its length was changed since this was last asked: then it may do work. */
+  takeChange?(): boolean;
   /** What it has stored by giving way, with its ends at given places. Unit: J. */
   energyAt?(x: Float64Array, y: Float64Array): number;
   /**

@@ -131,6 +131,7 @@ class SmallSteps {
     if (guards) this.#guard.after(particles);
     if (guards) this.#guard.settle(simulation);
     sources.keepInFront(before);
+    if (guards) this.#guard.keep(particles);
     keeper?.keep(simulation);
     this.#sleep.settle(simulation, dt);
     return allFinite(particles);

@@ -77,4 +77,33 @@ describe('energy of motion', () => {
     }
     expect(energyOf(world)).toBeGreaterThan(first * 0.3);
   });
+
+  it('[S25] comes from what drives: a bat of infinite mass, an anchor that is put elsewhere, a winch', () => {
+    const bat = room(1);
+    const ball = bat.addParticle({ x: 0, y: 0, radius: 0.1, restitution: 1 });
+    bat.addParticle({ x: -1, y: 0, vx: 5, radius: 0.1, mass: Infinity });
+    for (let step = 0; step < 14; step++) bat.step(1 / 60);
+    expect(ball.vx).toBeCloseTo(10, 6);
+
+    const crane = new World({ gravity: { x: 0, y: -9.81 } });
+    crane.addShape(new HalfPlane({ point: { x: 0, y: -3 } }));
+    const anchor = crane.addParticle({ x: 0, y: 0, mass: Infinity });
+    const load = crane.addParticle({ x: 0, y: -2, mass: 5 });
+    crane.addLink(rod(anchor, load));
+    for (let step = 0; step < 60; step++) {
+      anchor.x += 2 / 60; // as a game does that drags it along
+      crane.step(1 / 60);
+    }
+    expect(load.vx).toBeGreaterThan(1);
+
+    const winch = new World({ gravity: { x: 0, y: -9.81 } });
+    winch.addShape(new HalfPlane({ point: { x: 0, y: -2 } }));
+    const box = winch.addParticle({ x: 0, y: -2, mass: 5 });
+    const rope = winch.addLink(cable({ x: 0, y: 0 }, box, { maxLength: 2 }));
+    for (let step = 0; step < 60; step++) {
+      rope.setLength(0, rope.maxLength - 1 / 60);
+      winch.step(1 / 60);
+    }
+    expect(box.y).toBeGreaterThan(-1.01);
+  });
 });
