@@ -20,6 +20,8 @@ const SUSPICIOUS_OF_FREE = 0.1;
  */
 export class EnergyGuard {
   readonly #islands = new Islands();
+  /** Whether it is known where everything was after the last step. */
+  #isKept = false;
   readonly #table = {
     /** Twice the work done on each particle. Unit: J. */
     work: new Float64Array(0),
@@ -82,8 +84,14 @@ export class EnergyGuard {
     }
   }
 
+  /** A step goes by without it: where things were is not known any more. */
+  forget(): void {
+    this.#isKept = false;
+  }
+
   /** Ends a step. Reads x, y. */
   keep({ count, x, y, generation }: ParticleStore): void {
+    this.#isKept = true;
     const { lastX, lastY, known } = this.#table;
     for (let i = 0; i < count; i++) {
       lastX[i] = x[i];
@@ -97,7 +105,7 @@ export class EnergyGuard {
     const { lastX, lastY, known } = this.#table;
     const { vx, vy, inverseMass, asleep, generation } = particles;
     if (inverseMass[i] === 0 && asleep[i] === 0 && (vx[i] !== 0 || vy[i] !== 0)) return true;
-    return known[i] === generation[i] + 1 && (before.x[i] !== lastX[i] || before.y[i] !== lastY[i]);
+    return this.#isKept && known[i] === generation[i] + 1 && (before.x[i] !== lastX[i] || before.y[i] !== lastY[i]);
   }
 
   #isSuspicious({ count, vx, vy, mass, inverseMass }: ParticleStore, share: number): boolean {

@@ -107,6 +107,7 @@ class SmallSteps {
     this.#held.note(particles);
     const guards = sources.links.length > 0 || someBounce(contacts);
     if (guards) this.#guard.begin(particles);
+    else this.#guard.forget();
     for (let k = 0; k < this.#subSteps; k++) {
       if (k > 0) {
         this.#held.restore(particles);
