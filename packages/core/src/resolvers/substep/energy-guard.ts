@@ -20,6 +20,7 @@ const SUSPICIOUS_OF_FREE = 0.1;
  */
 export class EnergyGuard {
   readonly #islands = new Islands();
+  #isOn = false;
   /** Whether it is known where everything was after the last step. */
   #isKept = false;
   readonly #table = {
@@ -42,26 +43,37 @@ export class EnergyGuard {
     known: new Uint32Array(0),
   };
 
-  /** Begins a step. */
-  begin({ count, capacity }: ParticleStore): void {
+  /**
+   * Begins a step.
+   * @param isOn - Whether there is something in it that can add energy; without, all else does nothing.
+   */
+  begin({ count, capacity }: ParticleStore, isOn: boolean): void {
+    this.#isOn = isOn;
+    if (!isOn) {
+      this.#isKept = false;
+      return;
+    }
     if (this.#table.work.length < count) growColumns(this.#table, capacity);
     this.#table.work.fill(0, 0, count);
   }
 
   /** Before links and contacts act. Reads vx, vy. */
   before({ count, vx, vy, mass, inverseMass }: ParticleStore): void {
+    if (!this.#isOn) return;
     const { work } = this.#table;
     for (let i = 0; i < count; i++) if (inverseMass[i] > 0) work[i] -= mass[i] * (vx[i] * vx[i] + vy[i] * vy[i]);
   }
 
   /** After they have. Reads vx, vy. */
   after({ count, vx, vy, mass, inverseMass }: ParticleStore): void {
+    if (!this.#isOn) return;
     const { work } = this.#table;
     for (let i = 0; i < count; i++) if (inverseMass[i] > 0) work[i] += mass[i] * (vx[i] * vx[i] + vy[i] * vy[i]);
   }
 
   /** Slows islands that have gained. Reads the contacts and links. Writes vx, vy. */
   settle(simulation: Simulation): void {
+    if (!this.#isOn) return;
     const { particles, contacts } = simulation;
     if (!this.#isSuspicious(particles, contacts.count > 0 ? SUSPICIOUS : SUSPICIOUS_OF_FREE)) return;
     this.#islands.find(simulation);
@@ -84,13 +96,9 @@ export class EnergyGuard {
     }
   }
 
-  /** A step goes by without it: where things were is not known any more. */
-  forget(): void {
-    this.#isKept = false;
-  }
-
   /** Ends a step. Reads x, y. */
   keep({ count, x, y, generation }: ParticleStore): void {
+    if (!this.#isOn) return;
     this.#isKept = true;
     const { lastX, lastY, known } = this.#table;
     for (let i = 0; i < count; i++) {

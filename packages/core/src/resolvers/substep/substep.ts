@@ -105,9 +105,7 @@ class SmallSteps {
     this.#links.begin(sources, particles);
     keeper?.begin(simulation, dt, h, this.#links.bodies);
     this.#held.note(particles);
-    const guards = sources.links.length > 0 || someBounce(contacts);
-    if (guards) this.#guard.begin(particles);
-    else this.#guard.forget();
+    this.#guard.begin(particles, sources.links.length > 0 || someBounce(contacts));
     for (let k = 0; k < this.#subSteps; k++) {
       if (k > 0) {
         this.#held.restore(particles);
@@ -115,24 +113,24 @@ class SmallSteps {
       }
       forces.apply(h, time + k * h);
       accelerateAll(particles, gravity, h);
-      if (guards) this.#guard.before(particles);
+      this.#guard.before(particles);
       keeper?.repeat(simulation, k === 0);
       this.#links.solve(particles, h);
       keeper?.solve(simulation);
       if (!move(particles, h)) return false;
       this.#links.finish(particles);
-      if (guards) this.#guard.after(particles);
+      this.#guard.after(particles);
       if (contacts.count > 0) {
         this.#links.straighten(particles);
         keeper?.keepOut(simulation);
       }
     }
-    if (guards) this.#guard.before(particles);
+    this.#guard.before(particles);
     keeper?.relax(simulation);
-    if (guards) this.#guard.after(particles);
-    if (guards) this.#guard.settle(simulation);
+    this.#guard.after(particles);
+    this.#guard.settle(simulation);
     sources.keepInFront(before);
-    if (guards) this.#guard.keep(particles);
+    this.#guard.keep(particles);
     keeper?.keep(simulation);
     this.#sleep.settle(simulation, dt);
     return allFinite(particles);
